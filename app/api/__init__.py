@@ -1,4 +1,4 @@
-"""The HTTP door: requests in, BML, JSON or motion out. Thin: what a request means is in `schemas`, the work in
-`performance` and `realization`; here are paths, forms, negotiation, limits, errors as problems, figures for operators,
-and reloading. Imports those and `authoring`. Begin with `application.py`, which puts it together, then `routes.py`.
+"""The HTTP service: requests in, BML, JSON or motion out. `schemas` validates requests and `library` does the work;
+here are routes, forms, content negotiation, limits, problem documents, metrics and reloading. Begin with
+`application.py`, then `routes.py`.
 """

@@ -1,4 +1,4 @@
-"""The service: one application that reads requests and has worker processes answer them."""
+"""The ASGI application: it reads requests and passes them to worker processes."""
 
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager, nullcontext
@@ -13,8 +13,9 @@ from ..version import __version__
 from . import authoring
 from .admission.admission import Admission
 from .admission.entrance import guard
-from .admission.other_pages import let_in_pages
-from .clients import Rates
+from .admission.headers import let_in_pages
+from .admission.rates import Rates
+from .bodies import Uploads
 from .description import page
 from .description.document import PATHS, describe
 from .live import router as live_router
@@ -23,7 +24,6 @@ from .problems import answer_errors_as_problems
 from .reloading import reloading
 from .routes import router
 from .service import Service
-from .uploads import Uploads
 from .workers.pool import Pool
 from .workers.processes import Nursery
 from .workers.streams import Streams
@@ -39,9 +39,9 @@ def create_app(
     opened: OpenedLine | OpenedScene | None = None,
     rules_folder: Path | None = None,
 ) -> FastAPI:
-    """The application. The nursery stays its giver's to close. With `reload` what authors save is read again; `opened`
-    is what the studio page opens; rules that are edited there can be saved in `rules_folder`, by callers on this
-    machine."""
+    """The application. The caller closes the nursery. With `reload`, files are reloaded when authors save them;
+    `opened` is what the studio page opens; rules edited there are saved in `rules_folder`, by callers on this machine
+    only."""
     metrics = Metrics.fresh()
 
     @asynccontextmanager
@@ -75,7 +75,7 @@ def create_app(
 async def _service(
     settings: Settings, nursery: Nursery, metrics: Metrics, rules_folder: Path | None
 ) -> AsyncIterator[Service]:
-    """What all requests share, from the start of the application to its end."""
+    """The shared state of all requests, for the life of the application."""
     async with Pool(nursery, settings) as pool:
         streams, uploads, rates = Streams(pool, settings), Uploads(settings), Rates(settings.rate_per_minute)
         metrics.watch(busy=lambda: pool.busy, waiting=lambda: pool.waiting, streams=lambda: streams.count)

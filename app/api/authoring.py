@@ -1,7 +1,7 @@
-"""The paths for authors: gestures composed and played before they are in a library, rules tried before they are in use.
+"""Routes for authors: composing and playing gestures that are in no library yet, and trying edited rules.
 
-Requests change nothing: edited rules hold for the one request that brings them. Only a service started with a folder
-for an author's rules writes, only there, only files of the names that it has, and only for its own machine.
+Requests have no side effects: edited rules apply to the request that carries them. Only a service started with a folder
+for an author's rules writes files, only there, and only for callers on its own machine.
 """
 
 from fastapi import APIRouter, Request, Response
@@ -12,11 +12,10 @@ from ..authoring.rule_files import read_rule_text, saved_names, write_rule_text
 from ..errors import ForbiddenError, UndecodableError
 from ..schemas.rules import RuleFileResponse, RuleFilesResponse
 from .admission.hosts import is_loopback
+from .bodies import declared_bytes
 from .negotiation import GESTURE_TYPES, JSON, chosen
-from .service import Shared
-from .uploads import declared_bytes
+from .service import Shared, worked
 from .workers.messages import Task
-from .working import worked
 
 router = APIRouter()
 
@@ -74,8 +73,8 @@ async def get_rule_file(name: str, shared: Shared) -> Response:
 
 @router.put("/rules/files/{name:path}")
 async def put_rule_file(name: str, request: Request, shared: Shared) -> Response:
-    """Saves a file of rules or words, as plain text, in the folder of `understudy studio --rules DIR`; refused by every
-    other service."""
+    """Saves a file of rules or words, as plain text, in the folder of `understudy studio --rules DIR`; other services
+    refuse."""
     if f"/rules/files/{name}" not in shared.pool.nursery.library and not is_new_file(name):
         raise HTTPException(404, "no file of rules or words has that name; GET /rules/files lists them")
     if shared.rules_folder is not None and not _is_own_machine(request):
@@ -112,6 +111,5 @@ async def post_rules_compare(request: Request, shared: Shared) -> Response:
 
 
 def _is_own_machine(request: Request) -> bool:
-    """Whether a page of this machine asks: the name is checked as well, for any page can have a name that leads here
-    (DNS rebinding)."""
+    """Whether the caller is on this machine; the host name is checked too, against DNS rebinding."""
     return request.client is not None and all(map(is_loopback, (request.client.host, request.url.hostname or "")))

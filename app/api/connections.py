@@ -1,5 +1,5 @@
-"""Limits on connections, below the requests: how many, how long their headers may take, and how long an answer may wait
-to be read. A connection that keeps to none of them is closed; nothing of it is parsed or held for longer.
+"""Limits on connections, below HTTP requests: their number, the time for headers, and the time an answer may remain
+unread. A connection that exceeds one is closed.
 """
 
 import asyncio
@@ -9,17 +9,17 @@ import h11
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from ..settings import Settings
-from .http_errors import bad_request, connections_full
+from .problems import bad_request, connections_full
 
 MOST_HEADERS = 100
-"""They are counted before they are read, which takes milliseconds for hundreds."""
+"""They are counted before they are parsed, which takes milliseconds for hundreds."""
 
 HEADERS_IN = 2
 """A request's headers may take so many times `idle_s`."""
 
 
 class LimitedProtocol(H11Protocol):
-    """uvicorn's HTTP/1.1 within the limits of `settings`."""
+    """uvicorn's HTTP/1.1 protocol with the limits of `settings`."""
 
     settings: Settings
 
@@ -45,8 +45,8 @@ class LimitedProtocol(H11Protocol):
         super().data_received(data)
 
     def handle_websocket_upgrade(self, event: h11.Request) -> None:
-        """From here on the connection has the limits of a WebSocket (`websockets.py`). A body would come after the
-        head, as if it were messages."""
+        """From here on the limits of WebSockets apply (`websockets.py`). A body is refused: it would be read as
+        messages."""
         headers = dict(self.headers)
         if b"transfer-encoding" in headers or headers.get(b"content-length", b"0") != b"0":
             self.send_400_response("an upgrade to a WebSocket has no body")
@@ -56,7 +56,7 @@ class LimitedProtocol(H11Protocol):
         super().handle_websocket_upgrade(event)
 
     def send_400_response(self, msg: str) -> None:
-        """What is no HTTP is told so in the shape of every error, and the connection closed."""
+        """Answers malformed HTTP with a problem document and closes the connection."""
         self.transport.write(bad_request(msg))
         self.transport.close()
 
@@ -70,7 +70,7 @@ class LimitedProtocol(H11Protocol):
         return self.cycle is not None and not self.cycle.response_complete
 
     def _check(self) -> None:
-        """Now and then: ends a connection whose headers are late, or that has read nothing of its answer since."""
+        """Periodically: aborts a connection whose headers are late, or whose client has read nothing since."""
         unread_bytes = self.transport.get_write_buffer_size()
         is_stuck = bool(unread_bytes) and unread_bytes == self._unread_bytes
         is_idle = self.timeout_keep_alive_task is not None
@@ -83,6 +83,6 @@ class LimitedProtocol(H11Protocol):
 
 
 def limited_protocol(settings: Settings) -> type[LimitedProtocol]:
-    """The protocol with these settings, as uvicorn takes it: a class."""
+    """The protocol class with these settings, for uvicorn."""
     members: dict[str, Any] = {"settings": settings}
     return type("LimitedProtocol", (LimitedProtocol,), members)

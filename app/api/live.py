@@ -1,8 +1,8 @@
-"""`WS /live`: passes a client's messages to the process of its stream, and back what that tells (docs/live.md).
+"""`WS /live`: relays messages between a client and the process of its stream (docs/live.md).
 
-Nothing of a message is read here. A client that reads slowly gets fewer frames and is told so, but every other message;
-one that reads nothing, or sends nothing, for too long is let go. One that has left is noticed at once, whatever is
-being waited for, and its process ended.
+Messages are not parsed here. A slow reader gets fewer frames, with a count of the skipped ones, and all other messages;
+a client that reads or sends nothing for too long is disconnected. A disconnect is noticed at once, and ends the
+process.
 """
 
 import asyncio
@@ -16,10 +16,9 @@ from starlette.websockets import WebSocketDisconnect, WebSocketState
 from ..errors import ServiceError, SlowClientError, TooLargeError, TooManyError, UnderstudyError
 from ..schemas.live import to_error
 from ..settings import Settings
-from .admission.callers import caller_of
-from .admission.keys import PROTOCOL, offers_protocol
+from .admission.keys import PROTOCOL, caller_of, offers_protocol
+from .outgoing_queue import OutgoingQueue
 from .service import Service
-from .unsent import Unsent
 from .websockets import GONE
 from .workers.messages import LiveInput, LiveOutput, receive_soon, send_soon
 from .workers.processes import Worker
@@ -30,7 +29,7 @@ GOING_AWAY, ENDED, TRY_AGAIN, IDLE, ABNORMAL = 1001, 1000, 1013, 1008, 1006
 CLOSED_WITH: Mapping[str, int] = MappingProxyType(
     {"service_stopping": GOING_AWAY, "live_idle": IDLE, "live_unread": IDLE, "live_too_long": ENDED}
 )
-"""By the code of the error; with `TRY_AGAIN` for any other."""
+"""Close codes by error code; `TRY_AGAIN` for all others."""
 
 router = APIRouter()
 
@@ -51,8 +50,8 @@ async def live(socket: WebSocket) -> None:
 
 
 async def _converse(socket: WebSocket, service: Service, worker: Worker) -> None:
-    """Until one side ends it."""
-    told = Unsent()
+    """Relays until one side ends the stream."""
+    told = OutgoingQueue()
     tasks = {
         asyncio.create_task(_listen(socket, worker, service.settings)),
         asyncio.create_task(_hear(worker, told)),
@@ -71,11 +70,11 @@ async def _converse(socket: WebSocket, service: Service, worker: Worker) -> None
         ended, _ = await asyncio.wait(tasks)  # gather would take a cancellation of this for one of theirs
         for task in ended:
             if not task.cancelled():
-                task.exception()  # which has been told, or came too late
+                task.exception()  # retrieved: it was sent, or came too late
 
 
 async def _listen(socket: WebSocket, worker: Worker, settings: Settings) -> None:
-    """The client's messages to the process. Raises WebSocketDisconnect, SlowClientError `live_idle`."""
+    """Passes the client's messages to the process. Raises WebSocketDisconnect, SlowClientError `live_idle`."""
     while True:
         try:
             async with asyncio.timeout(settings.live_idle_s):
@@ -87,12 +86,12 @@ async def _listen(socket: WebSocket, worker: Worker, settings: Settings) -> None
             raise WebSocketDisconnect(message.get("code", ENDED))
         text = message.get("text")
         content = message.get("bytes") or b"" if text is None else text.encode("utf-8", "surrogatepass")
-        with suppress(BrokenPipeError, ConnectionError):  # it has ended, of which its last output tells more
+        with suppress(BrokenPipeError, ConnectionError):  # it has ended; its last output says why
             await send_soon(worker.socket, LiveInput(is_text=text is not None), content)
 
 
-async def _hear(worker: Worker, told: Unsent) -> None:
-    """What the process tells, into the queue. Raises ServiceError `worker_lost` where it ended unasked."""
+async def _hear(worker: Worker, told: OutgoingQueue) -> None:
+    """Queues the process's messages. Raises ServiceError `worker_lost` if it ended unexpectedly."""
     while True:
         try:
             output, content = await receive_soon(worker.socket)
@@ -101,11 +100,11 @@ async def _hear(worker: Worker, told: Unsent) -> None:
         assert isinstance(output, LiveOutput)
         await told.put(output, content.decode())
         if output.ended:
-            await asyncio.Event().wait()  # the last output is told, and then all is over
+            await asyncio.Event().wait()  # until `_tell` has sent the last output
 
 
-async def _tell(socket: WebSocket, told: Unsent, settings: Settings) -> None:
-    """What is in the queue to the client, until the last. Raises SlowClientError `live_unread`."""
+async def _tell(socket: WebSocket, told: OutgoingQueue, settings: Settings) -> None:
+    """Sends the queue to the client, until the last message. Raises SlowClientError `live_unread`."""
     while True:
         output, lines = await told.take()
         for line in lines.split("\n"):
@@ -125,20 +124,20 @@ async def _stop(service: Service) -> None:
 
 
 async def _expire(settings: Settings) -> None:
-    """A stream lasts as long by the clock as by its sound, or it could hold a place for ever without any."""
+    """Limits a stream by the clock as by its sound, or one without sound would hold a place for ever."""
     await asyncio.sleep(settings.live_s)
     raise TooLargeError("live_too_long", f"a stream lasts {settings.live_s:g} s at most; begin another")
 
 
 async def _leave(socket: WebSocket) -> None:
-    """Raises WebSocketDisconnect when the connection is lost, which `_listen` learns only when it next receives."""
+    """Raises WebSocketDisconnect when the connection is lost; `_listen` would notice only at its next receive."""
     gone: asyncio.Event = socket.scope.get("extensions", {}).get(GONE) or asyncio.Event()
     await gone.wait()
     raise WebSocketDisconnect(ABNORMAL)
 
 
 async def _refuse(socket: WebSocket, error: UnderstudyError) -> None:
-    """Says why, if anybody still listens; who reads nothing is cut off below (`websockets.py`)."""
+    """Sends the error and closes, if the client still reads; otherwise `websockets.py` aborts the connection."""
     with suppress(RuntimeError, WebSocketDisconnect, TimeoutError, ConnectionError):
         async with asyncio.timeout(1.0):
             if socket.application_state is WebSocketState.CONNECTED:

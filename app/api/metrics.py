@@ -1,7 +1,7 @@
-"""Figures of the service for Prometheus, at `GET /metrics`: requests by path and status, how long they took, how busy.
+"""Prometheus metrics at `GET /metrics`: requests by path and status, durations, load.
 
-Each application has a registry of its own, so that two in one process do not count each other's requests. Paths are
-those of the routes; everything else counts as `other`, whatever clients make up.
+Each application has its own registry, so that two in one process do not count each other's requests. Paths are those of
+the routes; all others count as `other`.
 """
 
 import time
@@ -17,15 +17,14 @@ MEDIA_TYPE = CONTENT_TYPE_LATEST
 BUCKETS_S = (0.01, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 30.0, 60.0)
 OTHER = "other"
 LOST = "lost"
-"""The end of a stream whose client left."""
+"""The `end` of a stream whose client left."""
 
 _KEY_REFUSED = frozenset({str(HTTPStatus.UNAUTHORIZED.value)})
 
 
 @dataclass(frozen=True, slots=True)
 class Metrics:
-    """What is counted; `busy`, `waiting` and `streams` are asked how many lines are being performed, and wait for that,
-    and how many live streams are open, when the figures are read."""
+    """The counters and gauges; `busy`, `waiting` and `streams` are read from the pool and the streams on demand."""
 
     registry: CollectorRegistry
     requests: Counter
@@ -52,7 +51,7 @@ class Metrics:
         )
 
     def watch(self, *, busy: Callable[[], float], waiting: Callable[[], float], streams: Callable[[], float]) -> None:
-        """Has the gauges ask whenever they are read."""
+        """Sets the functions that the gauges read."""
         self.streams.set_function(streams)
         self.busy.set_function(busy)
         self.waiting.set_function(waiting)

@@ -30,16 +30,16 @@ MOTION_TYPES: Mapping[str, MotionFormat] = MappingProxyType(
         "text/x-fap": MotionFormat.FAP,
     }
 )
-"""What motion is answered as; the first where anything will do."""
+"""The media types of motion; the first is the default."""
 GESTURE_TYPES: Mapping[str, MotionFormat] = MappingProxyType({name: MOTION_TYPES[name] for name in (JSON, GLB, BVH)})
-"""What the motion of one gesture is answered as."""
+"""The media types of the motion of one gesture."""
 ANYTHING = "*/*"
 LONGEST_ACCEPT = 1000
-"""Characters of an Accept header that are read."""
+"""Longer Accept headers are cut off, characters."""
 
 
 def chosen(accept: str | None, offered: Sequence[str], what: str) -> str:
-    """The media type in which `what` is answered. Raises NotAcceptableError where none of the offered will do."""
+    """The media type in which `what` is answered. Raises NotAcceptableError if none of the offered is accepted."""
     media_type = preferred(accept, offered)
     if media_type is None:
         one = "it" if len(offered) == 1 else "one"

@@ -1,4 +1,4 @@
-"""Every error leaves as `application/problem+json` (RFC 9457) with a stable type and code."""
+"""Every error is answered as `application/problem+json` (RFC 9457) with a stable type and code."""
 
 import logging
 import math
@@ -24,7 +24,7 @@ from ..errors import (
     UnderstudyError,
     UnsupportedFormatError,
 )
-from .unknown_paths import unknown_method, unknown_path
+from ..suggestions import nearest_names
 
 MEDIA_TYPE = "application/problem+json"
 LONGEST_DETAIL = 2000
@@ -56,7 +56,7 @@ _CODE_OF_STATUS = {404: "not_found", 405: "method_not_allowed", 406: "not_accept
 
 
 def answer_errors_as_problems(app: FastAPI, known: Sequence[str] = ()) -> None:
-    """Installs the handlers of every error that can leave `app`, whose paths are `known`."""
+    """Installs the error handlers of `app`, whose paths are `known`."""
     app.add_exception_handler(UnderstudyError, _known)
     app.add_exception_handler(HTTPException, partial(_refused, known=known))
     app.add_exception_handler(ClientDisconnect, _gone)
@@ -97,13 +97,13 @@ async def _known(_request: Request, error: Exception) -> Response:
 
 
 def _retry_after(error: UnderstudyError) -> dict[str, str] | None:
-    """When to come again, in whole seconds, where the error says so."""
+    """The Retry-After header in whole seconds, if the error has one."""
     after_s = error.retry_after_s if isinstance(error, ServiceError | TooManyError) else None
     return None if after_s is None else {"Retry-After": str(max(1, math.ceil(after_s)))}
 
 
 async def _refused(request: Request, error: Exception, *, known: Sequence[str]) -> Response:
-    """What the framework or an endpoint refuses: no such path (but those known), method or representation."""
+    """Errors of the framework: unknown path, method or representation."""
     assert isinstance(error, HTTPException)
     code = _CODE_OF_STATUS.get(error.status_code, "http_error")
     detail = error.detail
@@ -115,10 +115,41 @@ async def _refused(request: Request, error: Exception, *, known: Sequence[str]) 
 
 
 async def _gone(_request: Request, _error: Exception) -> Response:
-    """The client went away while it sent; nobody reads this answer."""
+    """The client disconnected while sending; the answer is for the log."""
     return problem(400, "client_disconnected", "the connection closed before the request was complete")
 
 
 async def unexpected(_request: Request, _error: Exception) -> Response:
-    """A mistake of ours; the server logs its traceback, the answer tells nothing of the inside."""
+    """A bug: the traceback is logged, the answer has no internals."""
     return problem(500, "internal_error", OUR_MISTAKE)
+
+
+def unknown_path(path: str, known: Sequence[str] = ()) -> str:
+    """The message for an unknown path, with the nearest known one."""
+    near = nearest_names(path, known)
+    return f"no such path: {path[:LONGEST_SHOWN]!r}{f'; did you mean {near[0]}?' if near else ''}"
+
+
+def unknown_method(request: Request, error: HTTPException) -> str:
+    """The message for a method that a path does not support, with those it does."""
+    supported = (error.headers or {}).get("Allow", "")
+    return f"{request.url.path[:LONGEST_SHOWN]!r} does not support {request.method[:LONGEST_SHOWN]!r}; send {supported}"
+
+
+def bad_request(detail: str) -> bytes:
+    """The bytes that answer malformed HTTP below the application; close the connection afterwards."""
+    return _written(problem(400, "http_error", detail))
+
+
+def connections_full() -> bytes:
+    """The bytes that answer one connection too many; close the connection afterwards."""
+    return _written(
+        problem(503, "connections_full", "too many connections are open; try again in a moment"), "retry-after: 1"
+    )
+
+
+def _written(answer: Response, *headers: str) -> bytes:
+    body = bytes(answer.body)
+    first = f"HTTP/1.1 {answer.status_code} {HTTPStatus(answer.status_code).phrase}"
+    told = (first, f"content-type: {MEDIA_TYPE}", *headers, "connection: close", f"content-length: {len(body)}")
+    return "\r\n".join((*told, "", "")).encode() + body

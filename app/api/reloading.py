@@ -1,7 +1,7 @@
-"""`serve --reload`: rules, words, tables and characters are read again when an author saves them.
+"""`serve --reload`: rules, words, tables and characters are reloaded when an author saves them.
 
-Requests under way keep what they began with. Files with mistakes change nothing: the service goes on with what it has,
-the log says why, and so does `/readyz` until the files are right.
+Running requests finish with the old ones. Files with mistakes are ignored: the old ones stay in use, and the log and
+`/readyz` say why until the files are right.
 """
 
 import asyncio
@@ -19,7 +19,7 @@ _LOGGER = logging.getLogger(__name__)
 
 @asynccontextmanager
 async def reloading(service: Service) -> AsyncIterator[None]:
-    """Keeps the service as the files say; what is saved once this has begun is noticed."""
+    """Reloads while the block runs; saves from its beginning on are noticed."""
     stop = Event()
     saved = await asyncio.to_thread(saves, files_in_use(), stop)
     following = asyncio.create_task(_follow(service, saved))
@@ -31,8 +31,7 @@ async def reloading(service: Service) -> AsyncIterator[None]:
 
 
 async def reload(service: Service) -> None:
-    """Has new workers made from the files as they are now; the old ones stay, and the reason is told, when these have
-    mistakes."""
+    """Replaces the workers by new ones with the current files; if these have mistakes, keeps the old and logs why."""
     try:
         await asyncio.to_thread(service.pool.nursery.reload)
     except UnderstudyError as error:

@@ -1,4 +1,4 @@
-"""The paths of the service."""
+"""The routes of the service."""
 
 from fastapi import APIRouter, Request, Response
 from starlette.responses import PlainTextResponse
@@ -7,9 +7,8 @@ from ..errors import ServiceError, UnsupportedFormatError
 from .bodies import media_type_of
 from .metrics import MEDIA_TYPE as METRICS
 from .negotiation import JSON, MOTION_TYPES, XML, chosen
-from .service import Service, Shared
+from .service import Service, Shared, worked
 from .workers.messages import Task
-from .working import worked
 
 router = APIRouter()
 
@@ -44,7 +43,7 @@ async def post_realize(request: Request, shared: Shared) -> Response:
 
 @router.post("/functions")
 async def post_functions(request: Request, shared: Shared) -> Response:
-    """What words alone do."""
+    """Finds the communicative functions of a text, without audio."""
     if media_type_of(request.headers.get("content-type", "")) != JSON:
         raise UnsupportedFormatError("media_type", f'send {JSON}: {{"text": "…"}}')
     return await worked(request, shared, Task.FUNCTIONS)
@@ -52,7 +51,7 @@ async def post_functions(request: Request, shared: Shared) -> Response:
 
 @router.get("/characters")
 async def get_characters(shared: Shared) -> Response:
-    """Who can perform, and how they move."""
+    """The characters and how they move."""
     return _known(shared, "/characters")
 
 
@@ -76,14 +75,14 @@ async def get_lexicon(shared: Shared) -> Response:
 
 @router.get("/healthz")
 async def get_healthz() -> dict[str, str]:
-    """The process answers."""
+    """Whether the process runs."""
     return {"status": "alive"}
 
 
 @router.get("/readyz")
 async def get_readyz(shared: Shared) -> dict[str, str]:
-    """Everything is loaded and every worker can work, else 503 says why not; `not_reloaded` says why files that were
-    saved since are not in use (`serve --reload`)."""
+    """Whether every worker is ready, else 503 with the reason; `not_reloaded` says why saved files are not in use
+    (`serve --reload`)."""
     trouble = await shared.pool.trouble()
     if trouble:
         raise ServiceError("not_ready", trouble, retry_after_s=1.0)
@@ -92,10 +91,10 @@ async def get_readyz(shared: Shared) -> dict[str, str]:
 
 @router.get("/metrics", response_class=PlainTextResponse)
 def get_metrics(shared: Shared) -> Response:
-    """The service's figures, for Prometheus."""
+    """Metrics for Prometheus."""
     return Response(shared.metrics.text(), media_type=METRICS)
 
 
 def _known(shared: Service, path: str) -> Response:
-    """What the library says at this path."""
+    """The part of the library at this path."""
     return Response(shared.pool.nursery.library[path], media_type=JSON)

@@ -1,7 +1,7 @@
-"""Runs the application under uvicorn until it is told to stop, and then ends in order.
+"""Runs the application under uvicorn and shuts it down gracefully.
 
-At the first SIGTERM or SIGINT the service takes no more work (503) but still answers; what runs is finished within the
-time of grace, what is not by then is answered 503. A second signal ends it at once. Nothing stays behind.
+At the first SIGTERM or SIGINT the service refuses new work (503); running requests may finish within the grace period,
+and are answered 503 after it. A second signal ends it at once. No process stays behind.
 """
 
 import asyncio
@@ -25,7 +25,7 @@ _ANSWERS_LEAVE_WITHIN_S = 2
 
 
 class Server(uvicorn.Server):
-    """uvicorn's server, which is drained before it stops. `stopped_by` is the signal that came first."""
+    """uvicorn's server, drained before it stops. `stopped_by` is the first signal."""
 
     def __init__(self, config: uvicorn.Config, app: FastAPI, grace_s: float, when_started: Callable[[], None]) -> None:
         super().__init__(config)
@@ -43,7 +43,7 @@ class Server(uvicorn.Server):
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
         await super().startup(sockets)
         gc.collect()
-        gc.freeze()  # to look through all that stays takes so long that nobody is answered meanwhile
+        gc.freeze()  # collecting everything that stays would block the event loop for too long
         self._when_started()
 
     async def on_tick(self, counter: int) -> bool:
@@ -67,13 +67,13 @@ def serve(
     log_config: dict[str, Any],
     when_started: Callable[[], None],
 ) -> int:
-    """Serves on sockets that listen until a signal comes, and returns which."""
+    """Serves on listening sockets until a signal, which is returned."""
     config = uvicorn.Config(
         app,
         http=limited_protocol(settings),
         ws=limited_websocket(settings),
         ws_max_size=settings.part_limits["live"],
-        ws_ping_interval=None,  # a client that sends ahead answers late, and those that are gone are noticed without
+        ws_ping_interval=None,  # a client that sends ahead answers pings late; disconnects are polled for instead
         server_header=False,
         log_config=log_config,
         timeout_keep_alive=max(1, round(settings.idle_s)),

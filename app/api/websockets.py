@@ -1,8 +1,8 @@
-"""Limits on the connection of a WebSocket, below its messages: it is made in time or refused, and it is cut off when
-its client has left, or reads nothing of what is sent to it.
+"""Limits on WebSocket connections, below their messages: the handshake completes in time or is refused, and a
+connection is aborted when its client has left or reads nothing.
 
-A client that has left is noticed although nothing is read from it, as while its messages wait for a process: the kernel
-is asked. Whoever serves the WebSocket finds an event of that in its scope, under `GONE`.
+The kernel is polled for disconnects, which are thus noticed even while nothing is read from the socket. The ASGI scope
+has an event for it under the extension `GONE`.
 """
 
 import asyncio
@@ -18,25 +18,25 @@ from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIO
 from ..errors import LONGEST_SHOWN
 from ..settings import Settings
 from .connections import HEADERS_IN
-from .http_errors import bad_request
+from .problems import bad_request
 
 GONE = "understudy.gone"
-"""The extension of the ASGI scope that holds the event: set when the connection is lost."""
+"""The ASGI scope extension with the event that is set when the connection is lost."""
 
 LOOK_EVERY_S = 1.0
 SENT_AHEAD_BYTES = 1 << 18
-"""So much the kernel may hold for a client that reads slowly: a second of frames, not the minute that it would hold by
-itself, or one that reads nothing is noticed late."""
+"""The kernel's send buffer: seconds of frames. By default it would hold a minute, and hide that a client reads
+nothing."""
 
 _LOGGER = logging.getLogger("uvicorn.error.websocket")
-_LOGGER.setLevel(logging.WARNING)  # below that uvicorn logs queries, in which browsers' clients put their keys
+_LOGGER.setLevel(logging.WARNING)  # at INFO uvicorn logs queries, which may hold keys
 
 _LEFT = select.POLLHUP | select.POLLERR | getattr(select, "POLLRDHUP", 0)
-"""What a poll tells of a connection whose client has closed or reset it; without POLLRDHUP (not Linux), less."""
+"""Poll events of a connection that its client has closed or reset; POLLRDHUP is Linux only."""
 
 
 class LimitedWebSocket(WebSocketsSansIOProtocol):
-    """uvicorn's WebSocket within the limits of `settings`."""
+    """uvicorn's WebSocket protocol with the limits of `settings`."""
 
     settings: Settings
 
@@ -61,7 +61,7 @@ class LimitedWebSocket(WebSocketsSansIOProtocol):
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
-        """The first data is the whole head of the request, for the HTTP protocol has read it."""
+        """The first data is the whole head of the request, as read by the HTTP protocol."""
         if self.handshake_initiated:
             super().data_received(data)
             return
@@ -71,7 +71,7 @@ class LimitedWebSocket(WebSocketsSansIOProtocol):
             self._refuse(str(self.conn.parser_exc or "its head is incomplete"))
 
     def handle_connect(self, event: Any) -> None:  # noqa: ANN401 - of websockets
-        """uvicorn would write the library's own refusal, which is no problem document."""
+        """Refuses a wrong handshake with a problem document, in place of the library's own answer."""
         if self.conn.accept(event).status_code != HTTPStatus.SWITCHING_PROTOCOLS:
             self.handshake_initiated = self.handshake_complete = self.close_sent = True
             self._refuse(str(self.conn.handshake_exc))
@@ -89,7 +89,7 @@ class LimitedWebSocket(WebSocketsSansIOProtocol):
         super().resume_writing()
 
     async def send(self, message: Any) -> None:  # noqa: ANN401 - of ASGI
-        """One that was refused by an answer of HTTP is complete, which uvicorn does not see."""
+        """Marks a handshake refused by an HTTP answer as complete, which uvicorn does not."""
         await super().send(message)
         if self.close_sent:
             self.handshake_complete = True
@@ -99,7 +99,7 @@ class LimitedWebSocket(WebSocketsSansIOProtocol):
         self.transport.close()
 
     def _look(self) -> None:
-        """Now and then: cuts off a connection that nobody is at the other end of."""
+        """Periodically: aborts a connection whose handshake is late, or whose client is stuck or gone."""
         now_s = self.loop.time()
         if self.transport.is_closing() and self._stuck_since_s is None:
             self._stuck_since_s = now_s
@@ -117,6 +117,6 @@ class LimitedWebSocket(WebSocketsSansIOProtocol):
 
 
 def limited_websocket(settings: Settings) -> type[LimitedWebSocket]:
-    """The protocol with these settings, as uvicorn takes it: a class."""
+    """The protocol class with these settings, for uvicorn."""
     members: dict[str, Any] = {"settings": settings}
     return type("LimitedWebSocket", (LimitedWebSocket,), members)

@@ -88,7 +88,7 @@ class Log:
             "version": 1,
             "disable_existing_loggers": False,
             "formatters": {"line": form},
-            "filters": {"request": {"()": "understudy.api.admission.request_ids.WithRequestId"}},
+            "filters": {"request": {"()": "understudy.api.admission.headers.WithRequestId"}},
             "handlers": {"stderr": {"class": "logging.StreamHandler", "formatter": "line", "filters": ["request"]}},
             "loggers": {"uvicorn.access": {"level": "WARNING"}},
             "root": {"handlers": ["stderr"], "level": "ERROR" if self.voice is Voice.QUIET else "INFO"},

@@ -1,4 +1,1 @@
-"""Speech that still goes on: sound in, what the body does out, before the line has ended.
-
-`voice` hears, `events` tells.
-"""
+"""Live speech: sound in, behaviours and frames out, before the line has ended. Begin with `session`."""

@@ -1,24 +1,24 @@
-"""What the body is to do: behaviours as they come, change, make way and are given up. Times are seconds of the
-stream."""
+"""The schedule of a live stream: behaviours are added, revised, shortened for others and cancelled. Times are seconds
+of the stream."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from ..model import Behavior, Channel
+from .messages import BehaviorMessage, LiveMessage, WithdrawalMessage
 from .placing import held_until
-from .telling import Moved, Told, Withdrawn
 
 REMEMBERED_S = 4.0
-"""How long after its end a behaviour is remembered: as long as a body's clock goes back."""
+"""How long after its end a behaviour is kept: as far back as a take of the body begins."""
 
 
 WORDED = "words"
-"""What the ids of behaviours begin with that words asked for."""
+"""The prefix of the ids of behaviours that come from words."""
 
 
 @dataclass(slots=True)
 class Agenda:
-    """The behaviours that are not long over, by their ids."""
+    """The current and recent behaviours by id."""
 
     by_id: dict[str, Behavior] = field(default_factory=dict)
 
@@ -26,21 +26,21 @@ class Agenda:
     def behaviors(self) -> tuple[Behavior, ...]:
         return tuple(self.by_id.values())
 
-    def keep(self, behaviors: Iterable[Behavior], now_s: float) -> Iterator[Told]:
-        """Takes behaviours, new ones and others as they are now."""
+    def keep(self, behaviors: Iterable[Behavior], now_s: float) -> Iterator[LiveMessage]:
+        """Adds behaviours, or replaces those of the same ids."""
         for each in behaviors:
             before = self.by_id.get(each.id)
             if before != each:
                 self.by_id[each.id] = each
-                yield Moved(each, now_s, revised=before is not None)
+                yield BehaviorMessage(each, now_s, revised=before is not None)
 
     def beside(self, coming: Iterable[Behavior]) -> tuple[Behavior, ...]:
-        """Those that no words asked for before need their channel: what was promised stays."""
+        """The behaviours whose channel is not taken by earlier words, which keep what they announced."""
         worded = [each for each in self.behaviors if each.id.startswith(WORDED)]
         return tuple(each for each in coming if not any(_overlap(each, other) for other in worded))
 
-    def make_way(self, coming: Iterable[Behavior], now_s: float) -> Iterator[Told]:
-        """What is on a channel that others need from some moment on relaxes in time, or is not done at all."""
+    def make_way(self, coming: Iterable[Behavior], now_s: float) -> Iterator[LiveMessage]:
+        """Behaviours on a channel that others need from some moment on retract before it, or are cancelled."""
         needed_s: dict[Channel, float] = {}
         for each in coming:
             needed_s[each.kind] = min(each.sync.start, needed_s.get(each.kind, each.sync.start))
@@ -54,19 +54,19 @@ class Agenda:
                 relax_s = max(now_s, at_s - (before.sync.end - before.sync.relax))
                 yield from self.keep([held_until(before, relax_s)], now_s)
 
-    def give_up(self, now_s: float) -> Iterator[Told]:
-        """Whatever is not over is not done any more."""
+    def give_up(self, now_s: float) -> Iterator[LiveMessage]:
+        """Cancels everything that is not over."""
         yield from [self._given_up(each, now_s) for each in self.behaviors if each.sync.end > now_s]
 
     def forget(self, now_s: float) -> None:
-        """Drops what has been over for long."""
+        """Drops behaviours that ended more than `REMEMBERED_S` ago."""
         for each in self.behaviors:
             if each.sync.end < now_s - REMEMBERED_S:
                 del self.by_id[each.id]
 
-    def _given_up(self, behavior: Behavior, now_s: float) -> Withdrawn:
+    def _given_up(self, behavior: Behavior, now_s: float) -> WithdrawalMessage:
         del self.by_id[behavior.id]
-        return Withdrawn(behavior.id, now_s)
+        return WithdrawalMessage(behavior.id, now_s)
 
 
 def _overlap(one: Behavior, other: Behavior) -> bool:

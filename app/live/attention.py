@@ -1,5 +1,6 @@
-"""Eyes by what is heard: blinks now and then and as a phrase ends, looks away as one begins; nods at the ends of what
-the other says. Times are seconds of the stream; the chances are those of lines (`behavior/idle`, `head_rates.yaml`).
+"""Blinks, gaze and listener's nods from the voices: blinks at a steady rate and at the ends of phrases, glances away at
+their beginnings, nods at the ends of the other's phrases. Times are seconds of the stream; the rates are those of lines
+(`behavior/idle`, `head_rates.yaml`).
 """
 
 from collections.abc import Iterator
@@ -9,7 +10,7 @@ from ..behavior.idle.idle_behaviors import BLINKS_PER_MINUTE
 from ..behavior.listeners.head_rates import HeadRates
 from ..behavior.listeners.listening import SHORTEST_BETWEEN_NODS_S
 from ..model import Behavior
-from .phrases import PhraseEdge
+from .ear import PhraseEdge
 from .placing import Placer
 from .table import LiveTable
 
@@ -21,7 +22,7 @@ LONGEST_DELAY_S = 1.0
 
 @dataclass(slots=True)
 class Attention:
-    """What eyes do, and a listener's head."""
+    """Decides the movements of eyes and of a listener's head."""
 
     table: LiveTable
     placer: Placer
@@ -36,7 +37,7 @@ class Attention:
             yield self._blink(now_s, "blinks now and then")
 
     def spoken(self, edge: PhraseEdge, now_s: float) -> Iterator[Behavior]:
-        """As the character begins or ends a phrase."""
+        """Behaviours when the character begins or ends a phrase."""
         generator = self.placer.generator
         if not edge.begins:
             if now_s > self.blinked_s + SHORTEST_BETWEEN_BLINKS_S and generator.random() < BLINKS_AT_PHRASE_END:
@@ -47,7 +48,7 @@ class Attention:
             yield self.placer.soon(entry, now_s, hold_s=hold_s, reason="looks away as the phrase begins")
 
     def listened(self, edge: PhraseEdge, now_s: float) -> Iterator[Behavior]:
-        """As the other begins or ends a phrase."""
+        """Behaviours when the other begins or ends a phrase."""
         generator, rates = self.placer.generator, self.rates
         if edge.begins:
             yield self.placer.soon(

@@ -1,5 +1,5 @@
-"""Goes over from one motion to another without a jump: what they differ by at that moment, in place and in speed, is
-added to the new one and dies away.
+"""Blends from one motion to another without a jump: their difference in pose and velocity at that moment is added to
+the new motion and decays.
 
 Each curve's difference follows the quintic that begins with it and its rate of change and ends at rest (Bollo 2016,
 "Inertialization"), but begins without acceleration. Rotations differ by a rotation vector on the left. Radians, metres,
@@ -16,10 +16,10 @@ from ..realizer.geometry.rotations import from_rotation_vector, inverse, length,
 
 SHORTEST_S, LONGEST_S = 0.25, 0.9
 SPEED = 4.0
-"""The fastest that a difference dies away, radians a second."""
+"""The fastest decay of a difference, radians a second."""
 
 _PEAK = 1.875
-"""The quintic's greatest speed beside an even one."""
+"""The quintic's peak speed, relative to a linear decay."""
 
 FACE_S = 0.12
 
@@ -34,7 +34,7 @@ class Pose:
 
     @classmethod
     def of(cls, frames: Sequence["Pose"]) -> "Pose":
-        """Frames of their own, together."""
+        """Single frames stacked into a motion."""
         return cls(
             np.stack([each.rotations for each in frames]),
             np.stack([each.hips_m for each in frames]),
@@ -48,8 +48,8 @@ class Pose:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Offset:
-    """What is added since `from_s`: rotation vectors (J, 3), place (3,) and shapes (52,), with the rates at which they
-    changed, and in what time each joint's dies away (J,)."""
+    """The difference added from `from_s` on: rotation vectors (J, 3), position (3,) and shapes (52,), their rates of
+    change, and each joint's time of decay (J,)."""
 
     from_s: float
     turned: FloatArray
@@ -61,7 +61,7 @@ class Offset:
 
     @classmethod
     def between(cls, shown: Pose, new: Pose, *, at_s: float, frame_s: float) -> "Offset":
-        """`shown` are the last two frames that were shown, `new` what the new motion has at the same times."""
+        """`shown` are the last two frames that were sent, `new` the new motion's frames at the same times."""
         turned = to_rotation_vector(multiply(shown.rotations, inverse(new.rotations)))
         moved, reshaped = shown.hips_m - new.hips_m, shown.shapes - new.shapes
         by = length(turned[1])[:, 0]
@@ -76,7 +76,7 @@ class Offset:
         )
 
     def added(self, motion: Pose, times_s: FloatArray) -> Pose:
-        """The motion (frames at `times_s`) with what is left of the difference."""
+        """The motion (frames at `times_s`) plus the rest of the difference."""
         since_s = (times_s - self.from_s)[:, None, None]
         if since_s[0, 0, 0] >= LONGEST_S:
             return motion
@@ -91,7 +91,7 @@ class Offset:
 
 
 def _dying(since_s: FloatArray, lasts_s: FloatArray, by: FloatArray, rate: FloatArray) -> FloatArray:
-    """The quintic from `by` at `rate` to nothing."""
+    """The quintic from `by` at `rate` to zero."""
     share = np.clip(since_s / lasts_s, 0.0, 1.0)
     cubed = share**3
     place = 1 - cubed * (10 - 15 * share + 6 * share**2)

@@ -1,12 +1,12 @@
-"""The body frame by frame, while its schedule still changes.
+"""The body's frames, while its schedule still changes.
 
-The realizer makes motion of whole schedules. Here it makes a take: the schedule as it is known now, on a clock of its
-own of `TAKE_S`, of which frames are shown until the schedule changes or the take has run out. Behaviours move the body
-only while they last, and what it does by itself hangs on the seed alone, so takes of one clock are the same where the
-schedule is; where they differ, `blending` leads over. A new clock begins `BEFORE_S` before now, so that whatever still
-goes on has begun in it, with another seed, else the body would repeat itself.
+The realizer makes motion from whole schedules. Here it makes takes: the schedule as known now, on a clock of `TAKE_S`,
+whose frames are sent until the schedule changes or the take ends. Behaviours move the body only while they last, and
+idle motion depends on the seed alone, so two takes of one clock are equal where their schedules are; where they differ,
+`blending` leads from one to the other. A new clock begins `BEFORE_S` before now, so that current behaviours begin
+within it, and has another seed, or idle motion would repeat.
 
-Lips follow the voice (`mouth`) unless the take has visemes of words then.
+Lips follow the voice (`mouth`), except where the take has visemes of words.
 """
 
 from bisect import bisect_right
@@ -25,7 +25,7 @@ from .mouth import MouthShape
 
 TAKE_S, BEFORE_S = 12.0, 4.0
 _LIPS_S = 0.05
-"""In which time lips go most of the way to a shape."""
+"""The time constant of the lips, seconds."""
 
 _EARLY_S = 1e-6
 _JAW, _CLOSE = INDEX["jawOpen"], INDEX["mouthClose"]
@@ -33,7 +33,7 @@ _JAW, _CLOSE = INDEX["jawOpen"], INDEX["mouthClose"]
 
 @dataclass(frozen=True, slots=True)
 class Performing:
-    """Who moves, by which seed, how many frames a second, and how much less than usual."""
+    """The character, seed, frame rate and stillness of a live body."""
 
     character: str
     seed: int
@@ -43,7 +43,7 @@ class Performing:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BodyFrame:
-    """The body at `at_s`: local rotations (J, 4) as x y z w, place of the hips (3,), blendshapes (52,)."""
+    """The body at `at_s`: local rotations (J, 4) as x y z w, position of the hips (3,), blendshapes (52,)."""
 
     at_s: float
     rotations: FloatArray
@@ -53,14 +53,14 @@ class BodyFrame:
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """What the body should do, on the stream's clock."""
+    """The behaviours and visemes that the body should perform, on the stream's clock."""
 
     behaviors: tuple[Behavior, ...] = ()
     visemes: tuple[Viseme, ...] = ()
 
 
 class LiveBody:
-    """Gives frames up to a moment, each once. Memory does not grow."""
+    """Gives frames up to a moment, each once. Memory is bounded."""
 
     def __init__(self, realizer: Realizer, performing: Performing) -> None:
         self._realizer, self._performing = realizer, performing
@@ -74,13 +74,13 @@ class LiveBody:
         self._lips = np.zeros(len(SHAPES))
 
     def ask(self, asked: Asked) -> None:
-        """What it should do from the next frame on."""
+        """Sets what to perform from the next frame on."""
         if asked != self._asked:
             self._due_s = min(self._due_s, _differ_from_s(self._asked, asked, self._next * self._frame_s))
             self._asked = asked
 
     def frames_until(self, now_s: float, mouth: Sequence[MouthShape]) -> tuple[BodyFrame, ...]:
-        """The frames up to now. `mouth` are the voice's shapes since before the last frame."""
+        """The frames up to now. `mouth` has the shapes from the voice since before the last frame."""
         last = floor(now_s / self._frame_s + _EARLY_S)
         frames: list[BodyFrame] = []
         while self._next <= last:
@@ -89,14 +89,14 @@ class LiveBody:
         return tuple(frames)
 
     def _frames_left(self) -> int:
-        """How many frames the take has left before it differs from what is asked."""
+        """How many frames of the take still agree with what is asked."""
         if self._take is None:
             return 0
         left = self._begin + len(self._take.hips_m) - self._next
         return left if self._due_s == inf else max(0, min(left, floor(self._due_s / self._frame_s) - self._next))
 
     def _retaken(self) -> int:
-        """Makes a take from the next frame on, which goes over from what was shown; the frames that it has."""
+        """Makes a take from the next frame on, blended from the last frames; returns the frames it has left."""
         if not self._clocks or self._next - self._begin >= round((TAKE_S - 1.0) / self._frame_s):
             self._clocks += 1
             self._begin = self._next - round(BEFORE_S / self._frame_s)
@@ -158,7 +158,7 @@ class LiveBody:
 
 
 def _differ_from_s(before: Asked, after: Asked, now_s: float) -> float:
-    """From when on what is asked moves the body otherwise than before; of what is over nothing does."""
+    """The time from which what is asked moves the body differently; behaviours that are over do not count."""
     if before.visemes != after.visemes:
         return now_s
     ones, others = ({each.id: each for each in asked.behaviors} for asked in (before, after))

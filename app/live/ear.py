@@ -1,11 +1,55 @@
-"""Hears a voice at any rate: its samples at ours, its contours, its phrases. Memory does not grow."""
+"""Hears a voice at any sample rate: its samples at ours, its contours, and where its phrases begin and end.
+
+A phrase is a stretch of voiced speech, until it has been silent for `PAUSE_FRAMES`. Times are seconds of the stream; a
+phrase's beginning is known `BEGIN_FRAMES` voiced frames after it, its end `PAUSE_FRAMES` after the last voiced one.
+Memory is bounded.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 import soxr
 
-from ..model import SAMPLE_RATE_HZ, FloatArray
-from .phrases import PhraseEdge, Phrases
+from ..model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, FloatArray
 from .voice import StreamingVoice
+
+BEGIN_FRAMES = 4
+"""Fewer voiced frames in a row are a click, not a voice."""
+
+PAUSE_FRAMES = 30
+
+
+@dataclass(frozen=True, slots=True)
+class PhraseEdge:
+    """A phrase `begins`, or ends, at `at_s`."""
+
+    at_s: float
+    begins: bool
+
+
+class Phrases:
+    """Takes f0, a value each `FRAME_SHIFT_S` (0: unvoiced), and gives the edges of phrases."""
+
+    def __init__(self) -> None:
+        self._frames = self._voiced = 0
+        self._silent = PAUSE_FRAMES
+        self.began_s: float | None = None
+        """The beginning of the current phrase; None between phrases."""
+
+    def hear(self, f0_hz: FloatArray) -> tuple[PhraseEdge, ...]:
+        return tuple(edge for f0 in f0_hz.tolist() for edge in self._frame(voiced=f0 > 0))
+
+    def _frame(self, *, voiced: bool) -> Iterator[PhraseEdge]:
+        self._frames += 1
+        self._voiced = self._voiced + 1 if voiced else 0
+        self._silent = 0 if voiced else self._silent + 1
+        if self.began_s is None and self._voiced == BEGIN_FRAMES:
+            self.began_s = (self._frames - BEGIN_FRAMES) * FRAME_SHIFT_S
+            yield PhraseEdge(self.began_s, begins=True)
+        elif self.began_s is not None and self._silent == PAUSE_FRAMES:
+            self.began_s = None
+            yield PhraseEdge((self._frames - PAUSE_FRAMES) * FRAME_SHIFT_S, begins=False)
 
 
 class Ear:
@@ -18,7 +62,7 @@ class Ear:
 
     @property
     def phrase_began_s(self) -> float | None:
-        """Where the phrase began that still goes on."""
+        """The beginning of the current phrase; None between phrases."""
         return self._phrases.began_s
 
     def resampled(self, samples: FloatArray, *, last: bool = False) -> FloatArray:
@@ -27,9 +71,9 @@ class Ear:
         return samples if self._resampler is None else self._resampler.resample_chunk(samples, last)
 
     def contours(self, samples: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Energy in dB and f0 in Hz of the frames that are decided by more samples at `SAMPLE_RATE_HZ`."""
+        """Energy in dB and f0 in Hz of the frames that are final after more samples at `SAMPLE_RATE_HZ`."""
         return self._voice.hear(samples)
 
     def phrases(self, f0_hz: FloatArray) -> tuple[PhraseEdge, ...]:
-        """Where phrases begin and end, by more of f0."""
+        """The edges of phrases in more f0."""
         return self._phrases.hear(f0_hz)

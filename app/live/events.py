@@ -1,7 +1,7 @@
-"""What the voice has the body do, told as it is announced: an event where a phase of hands, head or brows begins.
+"""Events of the live gesture model: one when a phase of hands, head or brows begins.
 
-Times are seconds from the start of the sound. An event comes at the latest `LATEST_S` after what it is about was heard.
-What was announced is decided later (`DECIDED_S`), and may be decided otherwise; asked for, that is told as well.
+Times are seconds from the start of the sound. An event is sent at most `LATEST_S` after its sound was heard, as a
+prediction; the final decision, `DECIDED_S` later, may differ, and is sent only on request.
 """
 
 from collections.abc import Iterable
@@ -18,8 +18,8 @@ DECIDED_LATEST_S = PITCH_LATEST_S + DECIDED_S
 
 @dataclass(frozen=True, slots=True)
 class LiveEvent:
-    """`part` ("hands", "head", "brows") goes into `state` at `start_s`; that was told when `heard_s` had been heard.
-    What is `decided` stays so, what is not was announced."""
+    """`part` ("hands", "head", "brows") enters `state` at `start_s`; sent when `heard_s` had been heard. Decided events
+    are final; others are predictions and may be revised."""
 
     part: str
     state: str
@@ -29,18 +29,18 @@ class LiveEvent:
 
 
 class LiveEvents:
-    """Takes contours, a row each `FRAME_SHIFT_S`, and tells what begins, as announced or, `decided`, as it was decided.
-    Memory does not grow."""
+    """Takes contours, a row each `FRAME_SHIFT_S`, and gives the events: predictions or, if `decided`, final ones.
+    Memory is bounded."""
 
     def __init__(self, model: VoiceModel, *, decided: bool = False) -> None:
         self._gestures, self._decided = LiveGestures(model), decided
 
     def hear(self, energy_db: FloatArray, f0_hz: FloatArray, heard_s: float) -> tuple[LiveEvent, ...]:
-        """What is told by more of energy and f0, when `heard_s` of the sound have been heard."""
+        """The events of more energy and f0, when `heard_s` of the sound have been heard."""
         return self._told(self._gestures.hear(energy_db, f0_hz), heard_s)
 
     def finish(self, heard_s: float) -> tuple[LiveEvent, ...]:
-        """What remains, when the sound has ended."""
+        """The remaining events, when the sound has ended."""
         return self._told(self._gestures.finish(), heard_s)
 
     def _told(self, phases: Iterable[Phase], heard_s: float) -> tuple[LiveEvent, ...]:

@@ -1,6 +1,6 @@
-"""How the voice sounds in the phrase that is being spoken, as far as it has been heard. Memory does not grow.
+"""The affect of the current phrase, as far as it has been heard. Memory is bounded.
 
-The last seconds of sound are kept, and judged when somebody asks, so that a stream that nobody asks costs nothing.
+The last seconds of sound are kept and judged on demand, so a stream without words costs nothing.
 """
 
 import numpy as np
@@ -10,7 +10,7 @@ from ..model import SAMPLE_RATE_HZ, Affect, Audio, FloatArray
 
 LONGEST_S = 6.0
 SHORTEST_S = 0.8
-"""Less of a phrase says too little."""
+"""A shorter part of a phrase is not judged."""
 
 
 class RunningFeeling:
@@ -25,8 +25,8 @@ class RunningFeeling:
         self._recent = np.concatenate([self._recent, samples])[-round(LONGEST_S * SAMPLE_RATE_HZ) :]
 
     def of_phrase(self, acoustic: AcousticModels, lasting_s: float | None) -> Affect | None:
-        """The feeling of the phrase that has lasted so long; that of the phrase before if there is none, or too little
-        of it; None before the first."""
+        """The affect of the current phrase, which has lasted so long; that of the phrase before if the current one is
+        too short or there is none; None before the first."""
         if lasting_s is not None and lasting_s >= SHORTEST_S:
             samples = self._recent[-round(min(lasting_s, LONGEST_S) * SAMPLE_RATE_HZ) :]
             self._last = hear_sound(acoustic, Audio(samples))

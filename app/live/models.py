@@ -1,4 +1,4 @@
-"""What live speech needs, loaded once and shared by all streams."""
+"""The models of live speech, loaded once and shared by all streams."""
 
 from dataclasses import dataclass
 from typing import Self
@@ -16,7 +16,7 @@ from .table import LiveTable
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LiveModels:
-    """The whole understudy, for words and bodies, and what the voice alone tells."""
+    """The whole understudy, for words and bodies, and the models of gestures and mouth from the voice alone."""
 
     understudy: Understudy
     voice: VoiceModel

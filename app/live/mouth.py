@@ -1,5 +1,5 @@
-"""The mouth of a voice whose words nobody knows: which of the fifteen shapes it is likeliest to have, and how far it is
-open, by the spectrum of .025 s, every `SHIFT_S`. Windows do not look ahead, so a shape is told when its sound is heard.
+"""The mouth of a voice whose words are unknown: the likeliest of the fifteen shapes and how far it is open, from the
+spectrum of .025 s, every `SHIFT_S`. Windows do not look ahead, so a shape is sent as soon as its sound is heard.
 
 The spectrum's bands are judged by linear discriminants with one covariance for all shapes (`models/live/mouth.npz`,
 made by `training.live.mouth`), their levels beside the loudest lately. Where the words are known, their phones are the
@@ -26,11 +26,11 @@ _LOWEST_HZ, _HIGHEST_HZ = 100.0, 7600.0
 _HANN = np.hanning(_WINDOW)
 _QUIETEST = 1e-9
 _FALL_DB = 0.05
-"""By how much the loudest lately falls each frame."""
+"""The decay of the recent maximum, dB a frame."""
 
 _LEAST_LOUD_DB = -45.0
 _RANGE_DB = 30.0
-"""What is so much below the loudest lately is silence, and opens nothing."""
+"""A level this far below the recent maximum is silence, and opens nothing."""
 
 FEATURES = _BANDS + 1
 
@@ -93,7 +93,7 @@ class MouthFeatures:
 
 
 class StreamingMouth:
-    """Takes samples at `SAMPLE_RATE_HZ` and tells where the mouth takes another shape. Memory does not grow."""
+    """Takes samples at `SAMPLE_RATE_HZ` and gives the changes of the mouth's shape. Memory is bounded."""
 
     def __init__(self, model: MouthModel) -> None:
         self._model, self._features = model, MouthFeatures()

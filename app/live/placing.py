@@ -1,5 +1,5 @@
-"""Puts behaviours of the table on the stream's clock: as soon as they can be, and longer or shorter as what is heard
-later has it. Times are seconds of the stream."""
+"""Places behaviours of the table on the stream's clock as soon as possible, and adjusts them to what is heard later.
+Times are seconds of the stream."""
 
 from dataclasses import dataclass, replace
 from math import inf
@@ -12,12 +12,12 @@ from ..model import Behavior, Channel
 
 LEAST_PRIORITY = 0.1
 _HURRY = 0.5
-"""Where between the shortest and the usual phases a movement lies that comes as soon as it can."""
+"""How far hurried phases lie between the usual (0) and the shortest (1)."""
 
 
 @dataclass(slots=True)
 class Placer:
-    """Draws behaviours of a character and gives them ids; the same seed draws the same."""
+    """Draws behaviours of a character and numbers them; deterministic by the seed."""
 
     character: Character
     seed: int
@@ -33,7 +33,7 @@ class Placer:
         return self.character.entries[self.generator.choice(names)]
 
     def soon(self, entry: BehaviorEntry, now_s: float, *, hold_s: float = 0.0, reason: str) -> Behavior:
-        """The behaviour from now on, its phases a little hurried, held for `hold_s` or as long as the table has it."""
+        """The behaviour from now on, slightly hurried, held for `hold_s` or for as long as the table says."""
         self.made += 1
         timing = entry.timing
         before_s = (1 - _HURRY) * timing.preparation.shortest_s + _HURRY * timing.preparation.usual_s
@@ -60,7 +60,7 @@ class Placer:
 
 
 def held_until(behavior: Behavior, relax_s: float) -> Behavior:
-    """The same, held until then, and as long on its way back as before; it is not cut before its stroke is over."""
+    """The same, held until then, with the same retraction; its stroke is never cut."""
     sync = behavior.sync
     assert sync.relax is not None, "what is held relaxes"
     earliest_s = next(each for each in (sync.stroke_end, sync.ready, sync.start) if each is not None)
@@ -69,7 +69,7 @@ def held_until(behavior: Behavior, relax_s: float) -> Behavior:
 
 
 def struck_at(behavior: Behavior, at_s: float) -> Behavior:
-    """The same with its stroke from then on, and all that comes after it as much later or sooner."""
+    """The same with its stroke from then on, and everything after it shifted as much."""
     sync = behavior.sync
     assert sync.stroke_start is not None, "it has a stroke"
     later = sync.shifted(at_s - sync.stroke_start)

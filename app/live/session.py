@@ -1,8 +1,8 @@
-"""A stream of speech and what the body does with it, step by step: sound, words and commands in, what is told out.
+"""A live stream, step by step: sound, words and commands in, messages out.
 
-The stream's clock is its sound: seconds of what was heard, silences that were told of included. Nothing here waits or
-looks at another clock, so the same steps always tell the same. While words are being spoken that came beside the
-sound, the rules perform them and the voice moves nothing; before and after it does.
+The stream's clock is its sound: the seconds heard so far, announced silences included. Nothing here waits or reads
+another clock, so the same input always gives the same messages. While known words are being spoken, the rules perform
+them and the voice moves nothing but the mouth; before and after, the voice does.
 """
 
 from collections.abc import Iterable, Iterator
@@ -20,24 +20,24 @@ from .body import Asked, BodyFrame, LiveBody, Performing
 from .ear import Ear
 from .events import LiveEvents
 from .feeling import RunningFeeling
+from .messages import LiveMessage, LiveOptions, MouthMessage
 from .models import LiveModels
 from .mouth import MouthShape, StreamingMouth
 from .movements import Movements
 from .placing import Placer
-from .telling import LiveOptions, Mouthed, Told
 from .voice import RecentVoice
 from .words import PerformedPhrase, TimedText, paced_words, perform_words, timed_words
 
 MOST_AHEAD_S = 120.0
 MOST_WAITING = 100
-"""Texts that wait for a voice."""
+"""Texts that may wait for a phrase."""
 
 BESIDE_WORDS_S = 0.2
 LONGEST_SILENCE_S = 60.0
 
 
 class LiveSession:
-    """One stream. Raises InputError `unknown_character` where it begins. Memory does not grow."""
+    """One stream. Memory is bounded. Raises InputError `unknown_character`."""
 
     def __init__(self, models: LiveModels, options: LiveOptions) -> None:
         behavior = models.understudy.behavior
@@ -65,15 +65,14 @@ class LiveSession:
 
     @property
     def affect(self) -> Affect | None:
-        """How the voice sounds in the phrase that is being spoken, as far as it was heard; else in the one before."""
+        """The affect of the current phrase as far as it was heard, or of the one before."""
         began_s = self._own.phrase_began_s
         return self._feeling.of_phrase(
             self._models.understudy.acoustic, None if began_s is None else self.heard_s - began_s
         )
 
-    def hear(self, own: FloatArray | None, other: FloatArray | None = None) -> tuple[Told, ...]:
-        """Mono samples in [-1, 1] of the character's voice, and of whom it listens to; None is silence, as long as the
-        other."""
+    def hear(self, own: FloatArray | None, other: FloatArray | None = None) -> tuple[LiveMessage, ...]:
+        """Mono samples in [-1, 1] of the character's voice and of the other's; None is silence of the same length."""
         count = len(own) if own is not None else len(other) if other is not None else 0
         self._heard += count
         self._listens = self._listens or other is not None
@@ -85,14 +84,14 @@ class LiveSession:
         self._forget()
         return (*told, *self._frames())
 
-    def silence(self, duration_s: float) -> tuple[Told, ...]:
-        """Nothing is heard for so long: sound that was lost, or a microphone that is off."""
+    def silence(self, duration_s: float) -> tuple[LiveMessage, ...]:
+        """A stretch without sound: lost chunks, or a microphone that is off."""
         if not 0 <= duration_s <= LONGEST_SILENCE_S:
             message = f"duration_s: {duration_s:g}; a silence is 0 to {LONGEST_SILENCE_S:g} s long"
             raise InputError("value_wrong", message, field="duration_s")
         return self.hear(np.zeros(round(duration_s * self._options.sample_rate_hz)))
 
-    def words(self, timed: tuple[TimedText, ...]) -> tuple[Told, ...]:
+    def words(self, timed: tuple[TimedText, ...]) -> tuple[LiveMessage, ...]:
         """Words of the character, with times. Raises InputError as `timed_words` does, `value_wrong` for times too far
         from now."""
         begin_s = timed[0].interval.start_s
@@ -101,9 +100,9 @@ class LiveSession:
             raise InputError("value_wrong", message, field="words")
         return tuple(self._perform(timed_words(self._models, timed, self._recent)))
 
-    def text(self, text: str) -> tuple[Told, ...]:
-        """Words of the character, without times: they are those of the phrase that is being spoken, or of the next
-        that has none. Raises InputError as `paced_words` does, `words_waiting`."""
+    def text(self, text: str) -> tuple[LiveMessage, ...]:
+        """Words of the character without times: those of the current phrase, or of the next one without words. Raises
+        InputError as `paced_words` does, `words_waiting`."""
         began_s = self._own.phrase_began_s
         words = paced_words(self._models, text, began_s or 0.0)
         if began_s is not None and not self._is_worded():
@@ -113,23 +112,23 @@ class LiveSession:
         self._waiting = (*self._waiting, text)
         return ()
 
-    def interrupt(self) -> tuple[Told, ...]:
-        """Whatever is going on ends now, and nothing that was to come is done."""
+    def interrupt(self) -> tuple[LiveMessage, ...]:
+        """Cancels everything current and planned."""
         self._phrases, self._waiting = (), ()
         self._movements.forget()
         told = tuple(self._agenda.give_up(self.heard_s))
         self._ask()
         return told
 
-    def _spoken(self, samples: FloatArray) -> Iterator[Told]:
-        """What the character's own voice has the body do."""
+    def _spoken(self, samples: FloatArray) -> Iterator[LiveMessage]:
+        """Messages from the character's own voice."""
         samples = self._own.resampled(samples)
         self._feeling.hear(samples)
         energy_db, f0_hz = self._own.contours(samples)
         self._recent.hear(energy_db, f0_hz)
         for shape in self._mouth.hear(samples):
             self._shapes.append(shape)
-            yield Mouthed(shape, self.heard_s)
+            yield MouthMessage(shape, self.heard_s)
         for edge in self._own.phrases(f0_hz):
             if edge.begins and self._waiting and not self._is_worded():
                 text, *rest = self._waiting
@@ -145,24 +144,24 @@ class LiveSession:
         if not self._is_worded():
             yield from self._kept(self._movements.passed(self.heard_s))
 
-    def _listened(self, samples: FloatArray) -> Iterator[Told]:
-        """What is done about the other's voice."""
+    def _listened(self, samples: FloatArray) -> Iterator[LiveMessage]:
+        """Messages from the other's voice."""
         _, f0_hz = self._other.contours(self._other.resampled(samples))
         for edge in self._other.phrases(f0_hz):
             yield from self._kept(self._attention.listened(edge, self.heard_s))
 
-    def _kept(self, behaviors: Iterable[Behavior]) -> Iterator[Told]:
-        """What the voice alone moves, but what the character never shows."""
+    def _kept(self, behaviors: Iterable[Behavior]) -> Iterator[LiveMessage]:
+        """Schedules what the voice alone asks for, except what the character never shows."""
         shown = [each for each in behaviors if (each.kind, each.lexeme) not in self._never]
         yield from self._agenda.keep(shown, self.heard_s)
 
     def _is_worded(self) -> bool:
-        """Whether words are being spoken that are known."""
+        """Whether known words are being spoken."""
         spoken = (each.interval for each in self._phrases)
         return any(each.start_s - BESIDE_WORDS_S <= self.heard_s < each.end_s + BESIDE_WORDS_S for each in spoken)
 
-    def _perform(self, words: tuple[Word, ...]) -> Iterator[Told]:
-        """The rules take over for these words; what the voice began ends as they begin."""
+    def _perform(self, words: tuple[Word, ...]) -> Iterator[LiveMessage]:
+        """The rules take over for these words; movements from the voice end as they begin."""
         options = Options(character=self._options.character, seed=self._options.seed, stillness=self._options.stillness)
         phrase = perform_words(self._models.understudy, words, options, self.heard_s, self.affect)
         self._performed += 1

@@ -1,5 +1,5 @@
-"""Which behaviours show what a voice alone tells, read from `lexicon/live.yaml`; every mistake in it is reported at
-once, with its place."""
+"""The behaviours that a voice alone triggers, read from `lexicon/live.yaml`; all mistakes in it are reported at once,
+with their places."""
 
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ _Names = Annotated[tuple[str, ...], Field(min_length=1, strict=False)]
 
 @dataclass(frozen=True, slots=True)
 class LiveTable:
-    """Names of behaviours, of which one is drawn each time."""
+    """Alternatives by occasion, names of behaviours; one is drawn each time."""
 
     hands: tuple[str, ...]
     nod: tuple[str, ...]

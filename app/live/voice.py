@@ -1,7 +1,7 @@
-"""Hears a signal as it comes: energy and f0, a row each `FRAME_SHIFT_S`.
+"""The contours of a signal as it arrives: energy and f0, a row each `FRAME_SHIFT_S`.
 
-Energies are those of the recording; f0 is near to it (`understudy.acoustic.pitch.streaming`). Rows leave when f0 is
-decided.
+Energies equal those of a whole recording; f0 is close to it (`understudy.acoustic.pitch.streaming`). A row is given
+when its f0 is final.
 """
 
 import numpy as np
@@ -12,24 +12,24 @@ from ..acoustic.signal.spectrum import FRAME_SAMPLES, energy_db
 from ..model import FRAME_SHIFT_S, Audio, Contours, FloatArray
 
 CONTEXT_FRAMES = -(-FRAME_SAMPLES // 2 // SHIFT_SAMPLES)
-"""How many frames before and after a frame's its window reaches into."""
+"""How many frames a window reaches into on either side."""
 
 RECENT_FRAMES = 2000
 LONGEST_FRAMES = 12_000
-"""Of what begins further back, or later, nothing is known."""
+"""The longest stretch whose contours are given."""
 
 
 class StreamingVoice:
-    """Takes mono samples in [-1, 1] at `SAMPLE_RATE_HZ`. Memory does not grow."""
+    """Takes mono samples in [-1, 1] at `SAMPLE_RATE_HZ`. Memory is bounded."""
 
     def __init__(self) -> None:
         self._pitch = StreamingPitch()
         self._samples: FloatArray = np.empty(0)
         self._begin = self._frames = 0
-        """The frame at which the kept samples begin, and how many have left."""
+        """The frame at which the kept samples begin, and the number of rows given."""
 
     def hear(self, samples: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Energy in dB and f0 in Hz (0: unvoiced) of the frames that are decided by more samples."""
+        """Energy in dB and f0 in Hz (0: unvoiced) of the frames that are final after more samples."""
         return self._rows(samples, last=False)
 
     def finish(self) -> tuple[FloatArray, FloatArray]:
@@ -70,8 +70,7 @@ class RecentVoice:
         return (self._begin + len(self._f0_hz)) * FRAME_SHIFT_S
 
     def during(self, begin_s: float, end_s: float) -> Contours:
-        """The contours of a stretch, without spectra; of what was not heard, or long ago, as they usually are: at the
-        median."""
+        """The contours of a stretch, without spectra; the medians for what was not heard or is no longer kept."""
         first = round(begin_s / FRAME_SHIFT_S)
         count = min(max(1, round((end_s - begin_s) / FRAME_SHIFT_S)), LONGEST_FRAMES)
         places = np.arange(first, first + count) - self._begin

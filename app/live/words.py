@@ -1,7 +1,7 @@
-"""Words that come beside the voice: the rules perform them, phrase by phrase, as soon as they are known.
+"""Known words of a live stream: the rules perform them, phrase by phrase, as soon as they arrive.
 
-Whoever synthesises the speech knows when each word falls; then nothing is heard and nothing aligned. Plain text is
-spread over the time that its sounds usually take. Times are seconds of the stream.
+A speech synthesizer knows the times of its words; then nothing is aligned. Plain text gets usual durations. Times are
+seconds of the stream.
 
 Words with times are stressed as those of a recording are: by how long their syllables last, and by the voice where it
 has been heard already; the focus is shared among the words that were heard. In the times of TIMIT's words alone lies
@@ -29,21 +29,21 @@ LEAD_IN_S = 0.6
 
 BETWEEN_WORDS_S = 0.01
 LONGEST_WORD_S = 30.0
-"""However long somebody sings it."""
+"""The longest a word may last, even sung."""
 
 LONGEST_SPAN_S = 600.0
 """From the first word of a message to the end of its last."""
 
 OVERLAP_S = 0.001
-"""By less words may overlap: times are often sums of lengths, and rounded."""
+"""Smaller overlaps of words are accepted: times are often rounded sums of durations."""
 
 SOONEST_S = 0.15
-"""What has its stroke, or its peak, no sooner than this from now can still be begun."""
+"""A behaviour can still begin if its stroke or peak is at least this far ahead."""
 
 
 @dataclass(frozen=True, slots=True)
 class TimedText:
-    """A word as it is written, and when it is spoken."""
+    """A written word and its interval."""
 
     text: str
     interval: Interval
@@ -51,7 +51,7 @@ class TimedText:
 
 @dataclass(frozen=True, slots=True)
 class PerformedPhrase:
-    """What the body does with a phrase, from its first word to its last."""
+    """The behaviours and visemes of a phrase, from its first word to its last."""
 
     interval: Interval
     behaviors: tuple[Behavior, ...]

@@ -9,7 +9,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from ..errors import InputError, UndecodableError, UnderstudyError, shown
 from ..live.body import BodyFrame
-from ..live.telling import LiveOptions, Mouthed, Told, Withdrawn
+from ..live.messages import LiveMessage, LiveOptions, MouthMessage, WithdrawalMessage
 from ..live.words import TimedText
 from ..model import Behavior, FloatArray, Interval
 from ..option_table import PERFORMANCE
@@ -128,16 +128,16 @@ def to_ready(options: LiveOptions, joints: tuple[str, ...]) -> str:
     return json.dumps(told)
 
 
-def to_json(told: Told) -> str:
+def to_json(told: LiveMessage) -> str:
     """A message of the service: the behaviour's kind is its type (`gesture`, `head`, `face`, `gaze`, `eyes`,
     `posture`), else `withdrawn`, `mouth`, `frame`."""
     match told:
         case BodyFrame():
             return _frame(told)
-        case Mouthed(shape=shape, heard_s=heard_s):
+        case MouthMessage(shape=shape, heard_s=heard_s):
             fields = {"start_s": shape.at_s, "viseme": shape.viseme, "articulation": shape.articulation}
             return _json("mouth", heard_s, fields | {"opening": shape.opening})
-        case Withdrawn(id=name, heard_s=heard_s):
+        case WithdrawalMessage(id=name, heard_s=heard_s):
             return _json("withdrawn", heard_s, {"id": name})
     fields = _behavior(told.behavior) | ({"revised": True} if told.revised else {})
     return _json(told.behavior.kind.value, told.heard_s, fields)

@@ -30,9 +30,9 @@ from understudy.acoustic.signal.spectrum import energy_db
 from understudy.acoustic.stage import audio_limits
 from understudy.live.ear import Ear
 from understudy.live.events import LiveEvents
+from understudy.live.messages import BehaviorMessage, LiveOptions
 from understudy.live.models import LiveModels
 from understudy.live.session import LiveSession
-from understudy.live.telling import LiveOptions, Moved
 from understudy.model import SAMPLE_RATE_HZ, Audio, Channel, FloatArray
 from understudy.models import Understudy
 from understudy.prosody_gestures.semi_markov import FRAME_S
@@ -82,13 +82,13 @@ def measure(models: LiveModels, samples: FloatArray, delays: Delays) -> None:
         onset_s = voiced[0] * 0.01
         after = [each for each in messages if each.at_s > onset_s and not _is_blink(each.told)]
         delays.found["first message"].append(min((each.at_s for each in after), default=np.inf) - onset_s)
-        body = [each.at_s for each in after if isinstance(each.told, Moved)]
+        body = [each.at_s for each in after if isinstance(each.told, BehaviorMessage)]
         delays.found["first behaviour"].append(min(body, default=np.inf) - onset_s)
     _strokes(models, samples, pitch, messages, delays)
 
 
 def _is_blink(told: object) -> bool:
-    return isinstance(told, Moved) and told.behavior.kind is Channel.EYES
+    return isinstance(told, BehaviorMessage) and told.behavior.kind is Channel.EYES
 
 
 def _strokes(
@@ -97,7 +97,7 @@ def _strokes(
     first: dict[str, Written] = {}
     last: dict[str, Written] = {}
     for each in messages:
-        if isinstance(each.told, Moved) and each.told.behavior.kind is Channel.GESTURE:
+        if isinstance(each.told, BehaviorMessage) and each.told.behavior.kind is Channel.GESTURE:
             first.setdefault(each.told.behavior.id, each)
             last[each.told.behavior.id] = each
     levels = energy_db(Audio(samples))[: len(pitch)]
@@ -114,7 +114,7 @@ def _strokes(
 
 
 def _stroke_s(each: Written) -> float:
-    assert isinstance(each.told, Moved)
+    assert isinstance(each.told, BehaviorMessage)
     return float(each.told.behavior.sync.stroke_start or 0.0)
 
 

@@ -18,7 +18,7 @@ from tests.support.jobs import LONG, LONG_BML
 from understudy.acoustic.stage import align
 from understudy.api.application import create_app
 from understudy.api.bodies import FORM_FIELDS
-from understudy.api.deadlines import Deadline
+from understudy.api.workers.limits import Deadline
 from understudy.api.workers.messages import Task
 from understudy.api.workers.pool import Pool
 from understudy.api.workers.processes import Nursery

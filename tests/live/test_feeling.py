@@ -6,9 +6,9 @@ import pytest
 from tests.live.streams import CHUNK
 from understudy.acoustic.stage import hear_sound
 from understudy.live.feeling import LONGEST_S, SHORTEST_S, RunningFeeling
+from understudy.live.messages import LiveOptions
 from understudy.live.models import LiveModels
 from understudy.live.session import LiveSession
-from understudy.live.telling import LiveOptions
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray
 
 

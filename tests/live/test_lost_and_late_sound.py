@@ -7,16 +7,16 @@ import pytest
 
 from tests.acoustic.pitch.test_streaming import LINE
 from tests.live.streams import CHUNK, behaviors
+from understudy.live.messages import LiveMessage, LiveOptions, MouthMessage
 from understudy.live.models import LiveModels
 from understudy.live.session import LiveSession
-from understudy.live.telling import LiveOptions, Mouthed, Told
 from understudy.model import SAMPLE_RATE_HZ, Channel, FloatArray
 
 LOST_FROM, LOST = 50 * CHUNK, 10 * CHUNK
 LOST_S = LOST / SAMPLE_RATE_HZ
 
 
-def told(models: LiveModels, parts: list[FloatArray]) -> list[Told]:
+def told(models: LiveModels, parts: list[FloatArray]) -> list[LiveMessage]:
     session = LiveSession(models, LiveOptions())
     return [each for part in parts for each in session.hear(part)]
 
@@ -29,11 +29,11 @@ def cut(samples: FloatArray, *sizes: int) -> list[FloatArray]:
     return [samples[first:last] for first, last in pairwise(edges)]
 
 
-def mouths(found: list[Told]) -> list[tuple[float, str]]:
-    return [(round(each.shape.at_s, 3), each.shape.viseme) for each in found if isinstance(each, Mouthed)]
+def mouths(found: list[LiveMessage]) -> list[tuple[float, str]]:
+    return [(round(each.shape.at_s, 3), each.shape.viseme) for each in found if isinstance(each, MouthMessage)]
 
 
-def gestures_s(found: list[Told]) -> list[float]:
+def gestures_s(found: list[LiveMessage]) -> list[float]:
     """Where gestures were begun."""
     return [
         each.sync.start

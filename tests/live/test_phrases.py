@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from understudy.live.phrases import BEGIN_FRAMES, PAUSE_FRAMES, PhraseEdge, Phrases
+from understudy.live.ear import BEGIN_FRAMES, PAUSE_FRAMES, PhraseEdge, Phrases
 
 
 def edges(*voiced: tuple[int, bool]) -> list[PhraseEdge]:

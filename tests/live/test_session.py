@@ -10,9 +10,9 @@ from tests.acoustic.pitch.test_streaming import LINE
 from tests.live.kept import grown, kept
 from tests.live.streams import CHUNK, behaviors, frames, heard
 from understudy.errors import InputError
+from understudy.live.messages import BehaviorMessage, LiveMessage, LiveOptions, MouthMessage, WithdrawalMessage
 from understudy.live.models import LiveModels
 from understudy.live.session import LONGEST_SILENCE_S, MOST_WAITING, LiveSession
-from understudy.live.telling import LiveOptions, Mouthed, Moved, Told, Withdrawn
 from understudy.live.words import TimedText
 from understudy.model import SAMPLE_RATE_HZ, Channel, Interval
 from understudy.realizer.geometry.rotations import angle_between
@@ -33,7 +33,7 @@ def timed(begin_s: float) -> tuple[TimedText, ...]:
 def test_a_voice_moves_hands_head_eyes_and_mouth(models: LiveModels) -> None:
     told = [each for _, each in heard(LiveSession(models, LiveOptions()))]
     assert {each.kind for each in behaviors(told)} >= {Channel.GESTURE, Channel.EYES}
-    assert any(isinstance(each, Mouthed) for each in told)
+    assert any(isinstance(each, MouthMessage) for each in told)
     assert not frames(told)
 
 
@@ -44,14 +44,14 @@ def test_a_voice_moves_nothing_that_the_character_never_shows(models: LiveModels
     understudy = replace(models.understudy, behavior=replace(behavior, characters=characters))
     session = LiveSession(replace(models, understudy=understudy), LiveOptions(character="quiet"))
     told = [each for _, each in heard(session)]
-    assert any(isinstance(each, Mouthed) for each in told)
+    assert any(isinstance(each, MouthMessage) for each in told)
     assert not {each.kind for each in behaviors(told)} & {Channel.GESTURE, Channel.EYES}
 
 
 def test_nothing_is_told_of_the_past(models: LiveModels) -> None:
     """What is begun begins when it is told, or later."""
     for now_s, told in heard(LiveSession(models, LiveOptions())):
-        if isinstance(told, Moved) and not told.revised:
+        if isinstance(told, BehaviorMessage) and not told.revised:
             assert told.behavior.sync.start >= now_s - 1e-3
             assert told.heard_s == now_s
 
@@ -82,7 +82,7 @@ def test_words_take_over(models: LiveModels) -> None:
     while_spoken = [
         each.behavior
         for now_s, each in heard(session)
-        if isinstance(each, Moved) and 0.5 < now_s < 0.5 + 0.3 * len(WORDS) and not each.revised
+        if isinstance(each, BehaviorMessage) and 0.5 < now_s < 0.5 + 0.3 * len(WORDS) and not each.revised
     ]
     assert not while_spoken
 
@@ -91,7 +91,7 @@ def test_what_words_promised_stays_when_more_words_come(models: LiveModels) -> N
     session = LiveSession(models, LiveOptions())
     first = {each.id for each in behaviors(list(session.words(timed(0.5))))}
     told = session.words(timed(0.5 + 0.3 * len(WORDS)))
-    assert not {each.id for each in told if isinstance(each, Withdrawn)} & first
+    assert not {each.id for each in told if isinstance(each, WithdrawalMessage)} & first
     assert not {each.id for each in behaviors(list(told))} & first
 
 
@@ -137,7 +137,7 @@ def test_silences_that_cannot_be_are_refused(models: LiveModels, duration_s: flo
 
 def test_a_listener_looks_at_who_talks_and_does_not_gesture(models: LiveModels) -> None:
     session = LiveSession(models, LiveOptions())
-    told: list[Told] = []
+    told: list[LiveMessage] = []
     for first in range(0, len(LINE), CHUNK):
         told += session.hear(None, LINE[first : first + CHUNK])
     kinds = {each.kind for each in behaviors(told)}
@@ -160,7 +160,7 @@ def test_an_interruption_stops_everything_and_goes_to_rest_without_a_jump(models
     session = LiveSession(models, FRAMES)
     promised = {each.id for each in behaviors(list(session.words(timed(0.6))))}
     before = frames(list(session.silence(INTERRUPTED_S)))
-    withdrawn = {each.id for each in session.interrupt() if isinstance(each, Withdrawn)}
+    withdrawn = {each.id for each in session.interrupt() if isinstance(each, WithdrawalMessage)}
     assert withdrawn
     assert withdrawn <= promised
     after = frames(list(session.silence(4.0)))
@@ -177,10 +177,10 @@ def test_an_interruption_stops_everything_and_goes_to_rest_without_a_jump(models
 
 
 def test_frames_come_once_each_and_in_time(models: LiveModels) -> None:
-    session, told = LiveSession(models, FRAMES), list[Told]()
+    session, told = LiveSession(models, FRAMES), list[LiveMessage]()
     for now_s, each in heard(session, LINE[: 3 * SAMPLE_RATE_HZ]):
         told.append(each)
-        assert not isinstance(each, Mouthed) or each.heard_s == now_s
+        assert not isinstance(each, MouthMessage) or each.heard_s == now_s
     times_s = [each.at_s for each in frames(told)]
     assert times_s[0] == 0.0
     assert all(other - one == pytest.approx(1 / 30) for one, other in pairwise(times_s))

@@ -1,8 +1,7 @@
-"""Who may come in, and what is told to whoever may not.
+"""Access control: which requests are admitted, and the answers to all others.
 
-In this order: the host that a request names, the page that sent it, the port it came to, its API key. `/healthz` and
-`/readyz` are answered to all, for what asks them knows neither names nor keys; `/docs`, `/openapi.json` and the studio
-page need no key, for they tell nothing that is not public.
+Checked in this order: the host, the origin, the port, the API key. `/healthz` and `/readyz` are open to all, for probes
+know neither names nor keys; `/docs`, `/openapi.json` and the studio page need no key, for they are public.
 """
 
 from dataclasses import dataclass, field
@@ -14,12 +13,10 @@ from starlette.responses import Response
 
 from ...errors import InputError
 from ...settings import PREFIX, Settings
-from ..problems import problem
-from ..unknown_paths import unknown_path
-from .guesses import Guesses
+from ..problems import problem, unknown_path
 from .hosts import is_allowed, is_loopback, is_own_page
-from .key_ring import KeyRing
-from .keys import authorization
+from .keys import KeyRing, authorization
+from .rates import Guesses
 
 PROBES = frozenset({"/healthz", "/readyz"})
 DOCS = ("/docs", "/openapi.json")
@@ -32,7 +29,7 @@ _ONLY_READS = frozenset({"GET", "HEAD", "OPTIONS"})
 
 @dataclass(frozen=True, slots=True)
 class Arrival:
-    """A request or WebSocket as it arrives: where it was sent to, from where, and its headers."""
+    """A request or WebSocket on arrival: its target, its sender and its headers."""
 
     path: str
     headers: Headers
@@ -45,8 +42,8 @@ class Arrival:
 
 @dataclass(frozen=True, slots=True)
 class Admission:
-    """Who may come in. `operations_port` alone answers operators' paths if there is one, and nothing else; the paths
-    `closed` are answered nowhere; pages of `origins` may ask as the service's own may."""
+    """The rules of admission. `operations_port`, if any, serves operators' paths and nothing else; paths in `closed`
+    are not served; pages of `origins` have the rights of the service's own."""
 
     keys: KeyRing
     hosts: tuple[str, ...] = ()
@@ -65,7 +62,7 @@ class Admission:
         return cls(KeyRing(settings), hosts, origins, settings.operations_port, closed, settings.allow_anonymous)
 
     def refusal(self, arrival: Arrival) -> Response | None:
-        """Why it is not let in; None where it is."""
+        """The answer that refuses the request; None if it is admitted."""
         path = arrival.path
         if path in PROBES:
             return None
@@ -80,7 +77,7 @@ class Admission:
         return self._wrong_key(arrival)
 
     def _wrong_place(self, arrival: Arrival) -> Response | None:
-        """A name that is not the service's, a page that is not, or a request whose length is said in two ways."""
+        """Refuses an unknown host, a foreign origin, and two ways of stating the length."""
         host, origin = arrival.headers.get("host"), arrival.headers.get("origin")
         if not self._is_named(host, arrival.server):
             return problem(421, "host_unknown", "this service has another name; send the Host that it is known by")
@@ -94,15 +91,15 @@ class Admission:
         return None
 
     def _is_named(self, host: str | None, server: str) -> bool:
-        """Whether the name is allowed; where none are listed and no key is asked, a service on this machine alone has
-        only this machine's own."""
+        """Whether the host is allowed. Without a list and without keys, a service on loopback accepts loopback names
+        only."""
         is_private = not self.hosts and not self.keys.current.are_asked and not self.is_anonymous
         return is_loopback(host) if is_private and is_loopback(server) else is_allowed(host, self.hosts)
 
     def _wrong_key(self, arrival: Arrival) -> Response | None:
         sent = authorization(arrival.headers)
         name = self.keys.current.name(sent)
-        if sent is not None and (wait_s := self.guesses.told(arrival.address, name)) is not None:
+        if sent is not None and (wait_s := self.guesses.wait_s(arrival.address, name)) is not None:
             headers = {"Retry-After": str(int(wait_s) + 1)}
             return problem(429, "too_many_wrong_keys", "too many wrong API keys came from here", headers=headers)
         if name is not None:
@@ -113,7 +110,7 @@ class Admission:
 
 
 def require_keys(admission: Admission, address: str, settings: Settings) -> None:
-    """Raises InputError `key_missing` where anybody on the network could come in who was not meant to."""
+    """Raises InputError `key_missing` if a service without keys could be reached from the network."""
     if ip_address(address.partition("%")[0]).is_loopback or admission.keys.current.are_asked:
         return
     if settings.allow_anonymous:

@@ -1,6 +1,6 @@
-"""Every request and WebSocket comes in here: it gets its id, is let in or told why not, and leaves a line in the log.
+"""The middleware that every request and WebSocket passes: it sets the id, admits or refuses, and logs one line.
 
-Nothing of a request's content is logged, nor its query.
+Neither content nor query is logged.
 """
 
 import logging
@@ -16,9 +16,8 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from ...errors import LONGEST_SHOWN
 from ..problems import unexpected
 from .admission import PROBES, Admission, Arrival
-from .headers import set_headers
+from .headers import REQUEST_ID, current_id, request_id, set_headers
 from .keys import authorization
-from .request_ids import HEADER, current_id, request_id
 
 _STARTS = frozenset({"http.response.start", "websocket.http.response.start"})
 _SWITCHING, _FORBIDDEN, _FAILED = 101, 403, 500
@@ -27,20 +26,20 @@ _LOGGER = logging.getLogger("understudy.requests")
 
 
 def guard(app: FastAPI, admission: Admission) -> None:
-    """Puts the door before `app`, whose errors are problems already."""
+    """Adds the middleware to `app`, whose errors are problem documents already."""
     app.add_middleware(Admitted, admission=admission)
     app.add_exception_handler(Exception, _marked_failure)
 
 
 async def _marked_failure(request: Request, error: Exception) -> Response:
-    """The answer to a mistake of ours, which is sent from outside of all middleware."""
+    """The answer to a bug, which is sent outside of all middleware."""
     answer = await unexpected(request, error)
     set_headers(answer.headers, current_id.get())
     return answer
 
 
 class Admitted:
-    """ASGI middleware that does as an `Admission` says."""
+    """ASGI middleware that applies an `Admission`."""
 
     def __init__(self, app: ASGIApp, admission: Admission) -> None:
         self._app = app
@@ -51,7 +50,7 @@ class Admitted:
             await self._app(scope, receive, send)
             return
         headers = Headers(scope=scope)
-        current_id.set(request_id(headers.get(HEADER)))
+        current_id.set(request_id(headers.get(REQUEST_ID)))
         scope.setdefault("state", {})["key"] = self._admission.keys.current.name(authorization(headers))
         refusal = self._admission.refusal(_arrival(scope, headers))
         answer = _Answer(send)
@@ -64,8 +63,7 @@ class Admitted:
 
 @dataclass(slots=True)
 class _Answer:
-    """What goes out: marked, and its status remembered. A WebSocket that is closed before it was accepted is answered
-    403."""
+    """Adds headers to the answer and records its status; a WebSocket closed before it was accepted has status 403."""
 
     to: Send
     status: int = _FAILED

@@ -1,6 +1,17 @@
-"""What every answer says to browsers: it is what it claims to be, and no page may do anything with it."""
+"""Headers of every answer: what browsers may do with it, its id, and which pages of other origins may read it.
 
+The id is the client's if it is well-formed, otherwise a new one; it is on the answer and in the log.
+"""
+
+import logging
+import re
+from collections.abc import Sequence
+from contextvars import ContextVar
+from uuid import uuid4
+
+from fastapi import FastAPI
 from starlette.datastructures import MutableHeaders
+from starlette.middleware.cors import CORSMiddleware
 
 _EVERY_ANSWER = {
     "x-content-type-options": "nosniff",
@@ -11,7 +22,46 @@ _EVERY_ANSWER = {
 
 
 def set_headers(headers: MutableHeaders, request_id: str) -> None:
-    """Adds them, but where an answer has its own, as a page that loads scripts has its own policy."""
+    """Sets the headers that the answer does not have already: a page with scripts has its own policy."""
     for name, value in _EVERY_ANSWER.items():
         headers.setdefault(name, value)
     headers["X-Request-ID"] = request_id
+
+
+REQUEST_ID = "x-request-id"
+
+_SANE = re.compile(r"[A-Za-z0-9._-]{1,64}", re.ASCII)
+
+current_id: ContextVar[str] = ContextVar("current_id", default="")
+"""The id of the request that this task answers."""
+
+
+def request_id(sent: str | None) -> str:
+    """The id of a request with this header."""
+    return sent if sent is not None and _SANE.fullmatch(sent) else uuid4().hex
+
+
+class WithRequestId(logging.Filter):
+    """Gives records the attribute `request_id`, and `request` to end a line with."""
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        found = current_id.get()
+        record.__dict__ |= {"request_id": found, "request": f" [{found}]" if found else ""}
+        return True
+
+
+_TAKEN = ("Accept", "Authorization", "Content-Type", "X-Request-ID")
+_SHOWN = ("Retry-After", "Understudy-Warnings", "X-Request-ID")
+_REMEMBERED_S = 600
+
+
+def let_in_pages(app: FastAPI, origins: Sequence[str]) -> None:
+    """Adds CORS outside of all other middleware, for preflight requests have no key."""
+    app.add_middleware(
+        CORSMiddleware,
+        allow_origins=list(origins),
+        allow_methods=("GET", "POST"),
+        allow_headers=_TAKEN,
+        expose_headers=_SHOWN,
+        max_age=_REMEMBERED_S,
+    )

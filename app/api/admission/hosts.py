@@ -1,5 +1,4 @@
-"""The names that the service may be called by, and the pages that may call it, so that no web page can reach it under a
-name of its own (DNS rebinding) or from elsewhere."""
+"""Checks of the Host and Origin headers, against DNS rebinding and requests from other pages."""
 
 from collections.abc import Collection, Sequence
 from ipaddress import ip_address
@@ -9,7 +8,7 @@ _USUAL_PORTS = {"http": 80, "https": 443}
 
 
 def is_allowed(host: str | None, allowed: Sequence[str]) -> bool:
-    """Whether a Host header has one of the names, ".example.org" for all below example.org; without names, any has."""
+    """Whether a Host header has an allowed name; ".example.org" allows all subdomains, an empty list everything."""
     if not allowed:
         return True
     name = _name(host)
@@ -17,7 +16,7 @@ def is_allowed(host: str | None, allowed: Sequence[str]) -> bool:
 
 
 def is_loopback(name: str | None) -> bool:
-    """Whether a Host header, or an address, is this machine's own: nobody else can have such a name."""
+    """Whether a Host header or an address is loopback, which no other machine can claim."""
     found = _name(name)
     try:
         return found == "localhost" or found.endswith(".localhost") or ip_address(found.strip("[]")).is_loopback
@@ -26,8 +25,8 @@ def is_loopback(name: str | None) -> bool:
 
 
 def is_own_page(origin: str, host: str | None, allowed: Collection[str]) -> bool:
-    """Whether an Origin header is that of the service's own pages, or one of those that are allowed. Proxies speak
-    HTTP to a service whose pages are HTTPS, so schemes are not compared but for the port that they mean."""
+    """Whether an Origin header is the service's own or allowed. Behind a proxy that ends TLS the schemes differ, so
+    only host and port are compared."""
     if origin in allowed:
         return True
     try:

@@ -1,8 +1,14 @@
-"""API keys: of the settings or of a file, known by their SHA-256 alone, compared in constant time."""
+"""API keys: of the settings or of a file, kept as SHA-256, compared in constant time.
+
+The file is read again when it changes, so that a key is replaced without a restart. A file that cannot be used changes
+nothing: the keys that were read before stay in use, and the log says why.
+"""
 
 import hmac
+import logging
 import time
 from base64 import urlsafe_b64decode
+from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from hashlib import sha256
@@ -10,6 +16,7 @@ from pathlib import Path
 from typing import Self
 
 from starlette.datastructures import Headers
+from starlette.requests import HTTPConnection
 
 from ...errors import InputError
 from ...settings import PREFIX, Settings
@@ -17,16 +24,18 @@ from ...settings import PREFIX, Settings
 FEWEST_CHARACTERS = 16
 SHOWN_DIGITS = 8
 LARGEST_FILE_BYTES = 1 << 20
+LOOK_EVERY_S = 1.0
 
 PROTOCOL = "understudy"
-"""The protocol by which a browser's WebSocket is answered that offers its key as another."""
+"""The protocol that answers a browser's WebSocket which offers its key as another protocol."""
 
+_LOGGER = logging.getLogger(__name__)
 _SCHEME, _KEY_PROTOCOL, _EXPIRES = "bearer ", "understudy.key.", "expires="
 
 
 @dataclass(frozen=True, slots=True)
 class ApiKey:
-    """A key, by its SHA-256, and when it expires, in seconds since 1970; None for never."""
+    """The SHA-256 of a key, and when it expires, in seconds since 1970 (None: never)."""
 
     digest: bytes
     expires_s: float | None = None
@@ -34,7 +43,7 @@ class ApiKey:
 
 @dataclass(frozen=True, slots=True)
 class ApiKeys:
-    """The keys that let in; with none, everybody may come in."""
+    """The valid keys; if there are none, no key is required."""
 
     keys: tuple[ApiKey, ...] = ()
 
@@ -50,12 +59,12 @@ class ApiKeys:
 
     @property
     def are_asked(self) -> bool:
-        """Whether callers need one."""
+        """Whether callers need a key."""
         return bool(self.keys)
 
     def name(self, authorization: str | None) -> str | None:
-        """The name by which logs call the key in an Authorization header, the beginning of its SHA-256; None where it
-        holds none of the keys, or one that has expired. Takes as long for each key."""
+        """The key's name in logs, the beginning of its SHA-256; None if the Authorization header has no valid key.
+        Takes constant time."""
         if authorization is None or not authorization.lower().startswith(_SCHEME):
             return None
         sent = sha256(authorization[len(_SCHEME) :].strip().encode("utf-8", "surrogateescape")).digest()
@@ -63,9 +72,54 @@ class ApiKeys:
         return sent.hex()[:SHOWN_DIGITS] if any(found) else None
 
 
+class KeyRing:
+    """The keys of the settings and of their file, reloaded when it changes."""
+
+    def __init__(self, settings: Settings, clock: Callable[[], float] = time.monotonic) -> None:
+        """Raises InputError `setting_wrong`."""
+        self._settings, self._clock = settings, clock
+        self._changed = self._stamp()
+        self._keys = ApiKeys.of(settings)
+        self._looked_s = clock()
+
+    @property
+    def current(self) -> ApiKeys:
+        """The keys in use, expired ones among them, which `name` refuses."""
+        if self._clock() - self._looked_s >= LOOK_EVERY_S:
+            self._looked_s = self._clock()
+            self._look()
+        return self._keys
+
+    def _look(self) -> None:
+        changed = self._stamp()
+        if changed == self._changed:
+            return
+        self._changed = changed
+        try:
+            self._keys = ApiKeys.of(self._settings)
+        except InputError as error:
+            _LOGGER.error("%s; the keys that were there before stay in use", error.message)
+        else:
+            _LOGGER.info("API keys read again; there are %d", len(self._keys.keys))
+
+    def _stamp(self) -> tuple[int, ...]:
+        """Changes with the file; symbolic links, as in Kubernetes' secrets, are followed."""
+        try:
+            found = self._settings.api_keys_file.stat() if self._settings.api_keys_file else None
+        except OSError:  # reported when it is read
+            return ()
+        return () if found is None else (found.st_mtime_ns, found.st_size, found.st_ino)
+
+
+def caller_of(connection: HTTPConnection) -> str:
+    """The caller of a request or WebSocket: the name of its key, else its address."""
+    address = connection.client.host if connection.client else ""
+    return str(getattr(connection.state, "key", None) or address)
+
+
 def authorization(headers: Headers) -> str | None:
-    """The Authorization header. Browsers cannot give a WebSocket one, but protocols that it offers: there the key may
-    be one of them, as base64url."""
+    """The Authorization header, or its equivalent for a browser's WebSocket, which cannot set headers: the key as
+    base64url in one of the offered protocols."""
     sent = [each for each in _protocols(headers) if each.startswith(_KEY_PROTOCOL)]
     if "authorization" in headers or not sent:
         return headers.get("authorization")

@@ -1,3 +1,3 @@
-"""What the service tells of itself: the OpenAPI document that clients are generated from, and the page that shows it.
-Imports `schemas`. Begin with `document.py`.
+"""The service's OpenAPI document, from which clients are generated, and the page that shows it. Begin with
+`document.py`.
 """

@@ -1,4 +1,4 @@
-"""The errors of the OpenAPI document, one shared response a status, and what each operation answers."""
+"""The responses of the OpenAPI document: a shared error for each status, and the success of each operation."""
 
 from collections.abc import Iterable
 from http import HTTPStatus

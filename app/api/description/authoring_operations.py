@@ -1,4 +1,4 @@
-"""What the operations for authors take and answer, in the words of OpenAPI."""
+"""The requests and responses of the operations for authors, in OpenAPI."""
 
 from collections.abc import Mapping
 from types import MappingProxyType

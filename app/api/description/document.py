@@ -1,4 +1,4 @@
-"""The OpenAPI document of the service, made of the schemas that requests are checked by and answers are written by."""
+"""The OpenAPI document of the service, made from the schemas that validate requests and write answers."""
 
 import json
 
@@ -31,8 +31,7 @@ from ...schemas.rules import (
 )
 from .answers import SHARED_HEADERS, Json, shared_errors
 from .authoring_operations import AUTHORING_OPERATIONS
-from .live_operation import LIVE, LIVE_MESSAGES, live_operation
-from .operations import OPERATIONS
+from .operations import LIVE, LIVE_MESSAGES, OPERATIONS, live_operation
 
 _ASKED: tuple[type[BaseModel], ...] = (
     *(PerformOptions, RealizeOptions, FunctionsRequest, GivenFunctionRequest, DirectionRequest, EditsForm),
@@ -53,7 +52,7 @@ PATHS = tuple(sorted({path for _method, path in (*OPERATIONS, *AUTHORING_OPERATI
 
 
 def describe(app: FastAPI) -> None:
-    """Has `app` tell this document at `/openapi.json`."""
+    """Makes `app` serve this document at `/openapi.json`."""
     app.openapi = lambda: app.openapi_schema or _made(app)  # type: ignore[method-assign]
 
 
@@ -78,7 +77,7 @@ def _made(app: FastAPI) -> Json:
 
 
 def _schemas() -> Json:
-    """Every schema by name. Those of requests take nothing unknown, those of answers are open."""
+    """Every schema by name. Requests forbid unknown members, answers allow them."""
     modes: list[tuple[type[BaseModel], JsonSchemaMode]] = [
         *((model, "validation") for model in _ASKED),
         *((model, "serialization") for model in _ANSWERED),
@@ -92,7 +91,7 @@ def _schemas() -> Json:
 
 
 def _say_default(told: Json) -> None:
-    """Tells a default in the description: generators take a property that has one for always there."""
+    """Moves the default into the description: generators take a property with a default as always present."""
     default = told.pop("default", None)
     if default not in (None, "", []):
         told["description"] = f"{told.get('description', '')} Default: {json.dumps(default)}.".strip()

@@ -1,9 +1,16 @@
-"""What each operation takes and answers, in the words of OpenAPI."""
+"""The requests and responses of each operation, in OpenAPI.
+
+OpenAPI cannot describe WebSockets: for `/live` the document has the request that opens a stream, and the schemas of the
+client's messages.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
+from pydantic import BaseModel
+
+from ...schemas.live import CommandMessage, ListenMessage, SilenceMessage, StartMessage, WordsMessage
 from ..negotiation import MOTION_TYPES
 from .answers import JSON, Json, answer, errors, reference
 
@@ -134,7 +141,7 @@ _REALIZE = Operation(
 _FIND_FUNCTIONS = Operation(
     "find_functions",
     LINES,
-    "What words alone do",
+    "Find the functions of a text",
     answer("The communicative functions of the text.", named("FunctionsResponse")),
     frozenset(WORK - {406}),
     named("FunctionsRequest"),
@@ -170,3 +177,29 @@ OPERATIONS: Mapping[tuple[str, str], Operation] = MappingProxyType(
     }
 )
 """By method and path."""
+
+LIVE = "/live"
+LIVE_MESSAGES: tuple[type[BaseModel], ...] = (
+    StartMessage,
+    WordsMessage,
+    SilenceMessage,
+    ListenMessage,
+    CommandMessage,
+)
+"""The text messages of a client; its binary messages are sound."""
+
+_TOLD = (
+    "A WebSocket: speech in, movements out, as it goes on. The client sends `StartMessage` first, then binary messages "
+    "of 16-bit little-endian samples, and `WordsMessage`, `SilenceMessage`, `ListenMessage` and `CommandMessage` as "
+    "JSON in text. The service answers JSON in text, each with a `type`: `ready`, the behaviours (`gesture`, `head`, "
+    "`face`, `gaze`, `eyes`, `posture`), `withdrawn`, `mouth`, `frame`, `frames_skipped`, `error`, `done`. A browser "
+    "offers its key as the protocol `understudy.key.` and the key as base64url, beside `understudy`. docs/live.md has "
+    "all of it."
+)
+
+
+def live_operation() -> Json:
+    """The operation's object in an OpenAPI document."""
+    switched = {"101": {"description": "The connection is a WebSocket from now on."}}
+    named = {"operationId": "live", "tags": ["Live"], "summary": "Speech in, movements out, while it is spoken"}
+    return {**named, "description": _TOLD, "responses": switched | errors({401, 403, 421, 429})}

@@ -1,4 +1,4 @@
-"""`/docs`: the OpenAPI document as a page that needs nothing from the network; swagger-ui lies beside this module.
+"""`/docs`: the OpenAPI document as a page without external resources; swagger-ui is in the folder beside this module.
 
 Its two files are kept compressed, and sent so to whoever takes that, as every browser does.
 """

@@ -1,5 +1,5 @@
-"""What a worker makes of a request: its body parsed, within the limits of every field, and then performed, realized or
-understood. Everything here may be slow, take much memory or fail; none of it is in the service's own process.
+"""Answers requests in a worker: parses the body within the limits of each field, then performs, realizes or analyses.
+Everything here may be slow, use much memory or fail; none of it runs in the service's own process.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -33,14 +33,13 @@ from ..negotiation import JSON, MOTION_TYPES, XML, chosen
 from . import authoring
 from .form import Part, read_form
 from .messages import Answer, Job, Task
-from .speaker import with_reference
-from .speaker_profile import with_profile
+from .speaker import with_profile, with_reference
 
 WARNINGS_HEADER = "Understudy-Warnings"
 
 
 def answered(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
-    """The answer to a request, and its body. Raises UnderstudyError for what cannot be answered."""
+    """The answer to a request, and its body. Raises UnderstudyError."""
     return _ANSWERS[job.task](understudy, job, content)
 
 
@@ -92,7 +91,7 @@ def _line(form: Mapping[str, Part]) -> Line:
 
 
 def _options(form: Mapping[str, Part], understudy: Understudy) -> Options:
-    """What `options` and then an author's edits say; the recording goes by the name of its file."""
+    """The options, changed by an author's edits; the recording is named after its file."""
     options = _read_options(form["options"].content, understudy) if "options" in form else Options()
     if "edits" in form:
         options = options.with_edits(read_edits(form["edits"].content))
@@ -101,7 +100,7 @@ def _options(form: Mapping[str, Part], understudy: Understudy) -> Options:
 
 
 def _read_options(content: bytes, understudy: Understudy) -> Options:
-    """The options; where some are wrong, an unknown character is told with them, which else is found out later."""
+    """The options; if some are wrong, an unknown character, usually found later, is reported with them."""
     try:
         return read_options(content)
     except InputError as error:
@@ -116,7 +115,7 @@ def _read_options(content: bytes, understudy: Understudy) -> Options:
 
 @dataclass(frozen=True, slots=True)
 class _Asked:
-    """BML that is to be played, how, and for whom."""
+    """BML to be realized, the options, the avatar and the audio."""
 
     sheet: BmlInput
     question: RealizeOptions
@@ -125,7 +124,7 @@ class _Asked:
 
 
 def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
-    """The motion in the form asked for."""
+    """The motion in the requested format."""
     media_type = chosen(job.accept, tuple(MOTION_TYPES), "motion")
     require_writer(MOTION_TYPES[media_type])
     asked = _asked(understudy, job, content)
@@ -171,7 +170,7 @@ def _asked(understudy: Understudy, job: Job, content: bytes) -> _Asked:
 
 
 def _understood(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
-    """What words alone do."""
+    """The communicative functions of a text."""
     if media_type_of(job.content_type) != JSON:
         raise UnsupportedFormatError("media_type", f'send {JSON}: {{"text": "…"}}')
     question = read_request(read_object(content, "body"))
@@ -195,6 +194,6 @@ _ANSWERS: Mapping[Task, Callable[[Understudy, Job, bytes], tuple[Answer, bytes]]
 
 
 def _headers(notices: Sequence[Notice]) -> dict[str, str]:
-    """The codes of what was degraded, dropped or guessed, each once."""
+    """The codes of all notices, each once."""
     codes = ", ".join(dict.fromkeys(notice.code for notice in notices))
     return {"Vary": "Accept"} | ({WARNINGS_HEADER: codes} if codes else {})

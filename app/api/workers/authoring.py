@@ -1,4 +1,4 @@
-"""What a worker makes of authors' requests: gestures checked, played and taken from poses, edited rules tried."""
+"""Answers authors' requests in a worker: checks and plays gestures, reads poses, tries edited rules."""
 
 from pathlib import PurePath
 

@@ -1,15 +1,15 @@
-"""A live stream's conversation: a client's messages in, the service's out, in order (docs/live.md).
+"""The conversation of a live stream: a client's messages in, the service's messages out, in order (docs/live.md).
 
-What is wrong with words or a silence is told and the stream goes on; anything else that is wrong ends it.
+Wrong words or silences are reported and the stream goes on; any other error ends it.
 """
 
 from collections.abc import Iterator
 
 from ...errors import InputError, TooLargeError, UnderstudyError
 from ...library.hearing import audio_limits
+from ...live.messages import LiveMessage
 from ...live.models import LiveModels
 from ...live.session import LiveSession
-from ...live.telling import Told
 from ...model import FloatArray
 from ...schemas.live import (
     ClientMessage,
@@ -28,11 +28,11 @@ from ...schemas.live import (
 from ...settings import Settings
 
 STEP_S = 0.1
-"""Longer chunks are heard in parts, so that what is told of a moment is told as at that moment."""
+"""Longer chunks are processed in parts, so that messages carry the time at which they were due."""
 
 
 class Conversation:
-    """One stream, from its start to its end. `ended` tells that nothing more is answered."""
+    """One stream. After it has `ended`, nothing is answered."""
 
     def __init__(self, models: LiveModels, settings: Settings) -> None:
         self._models, self._settings = models, settings
@@ -46,7 +46,7 @@ class Conversation:
         return self._session.heard_s if self._session else 0.0
 
     def answer(self, content: bytes, *, is_text: bool) -> Iterator[str]:
-        """What one message of the client is answered, as it comes."""
+        """The answers to one message of the client."""
         try:
             yield from self._text(content) if is_text else self._sound(content)
         except UnderstudyError as error:
@@ -67,7 +67,7 @@ class Conversation:
             self.ended = True
             yield to_done(session.heard_s)
 
-    def _told(self, session: LiveSession, message: ClientMessage) -> tuple[Told, ...]:
+    def _told(self, session: LiveSession, message: ClientMessage) -> tuple[LiveMessage, ...]:
         match message:
             case WordsMessage(text=None, words=()):
                 raise InputError("field_missing", "words: send text, or words with times", field="words")
@@ -108,7 +108,7 @@ class Conversation:
         for first in range(0, len(samples), step):
             yield from map(to_json, self._heard(session, samples[first : first + step]))
 
-    def _heard(self, session: LiveSession, samples: FloatArray) -> tuple[Told, ...]:
+    def _heard(self, session: LiveSession, samples: FloatArray) -> tuple[LiveMessage, ...]:
         if samples.shape[1] == 2:
             return session.hear(samples[:, 0], samples[:, 1])
         return session.hear(None, samples[:, 0]) if self._listens else session.hear(samples[:, 0])

@@ -1,12 +1,18 @@
-"""A process with all that it started, found without a look at every other process of the machine.
+"""A process with all that it started: found without a look at every other process of the machine, and ended with the
+service, however that ends.
 
-Linux tells the children of each thread of a process (`/proc/PID/task/TID/children`); where it does not, psutil looks
-through all processes, which on a busy machine takes so long that the event loop feels it.
+Linux lists the children of each thread (`/proc/PID/task/TID/children`). Elsewhere psutil scans all processes, which on
+a busy machine delays the event loop.
 """
 
+import os
+import select
+import socket
+import threading
 from collections.abc import Iterator
 from contextlib import suppress
 from pathlib import Path
+from typing import Never
 
 import psutil
 
@@ -30,9 +36,28 @@ def _below(pid: int) -> Iterator[psutil.Process]:
 
 
 def _children(pid: int) -> list[int]:
-    """What all threads of a process have started; nothing when it has ended."""
+    """The children of all threads of a process; none when it has ended."""
     found: list[int] = []
     with suppress(OSError):
         for thread in (_PROCESSES / str(pid) / "task").iterdir():
             found += map(int, (thread / "children").read_text().split())
     return found
+
+
+def end_with(service: socket.socket) -> None:
+    """Ends this process when the other end of its socket closes."""
+    threading.Thread(target=_wait, args=(service,), daemon=True).start()
+
+
+def end() -> Never:
+    """Ends this process and its children."""
+    for child in psutil.Process().children(recursive=True):
+        child.kill()
+    os._exit(0)
+
+
+def _wait(service: socket.socket) -> None:
+    poller = select.poll()
+    poller.register(service, 0)
+    poller.poll()  # returns when the other end has gone
+    end()

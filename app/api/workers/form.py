@@ -1,6 +1,6 @@
-"""Reads a multipart form into memory: every part's bytes, nothing on disk, nothing guessed.
+"""Reads a multipart form into memory: the bytes of each part, without temporary files.
 
-The size of the whole is limited where the bytes come in (`understudy.api.uploads`).
+The size of the whole is limited where the bytes come in (`understudy.api.bodies`).
 """
 
 from collections.abc import Mapping

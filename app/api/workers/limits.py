@@ -1,19 +1,24 @@
-"""How much memory and processor time a worker may take, and what is told where the kernel refuses it more."""
+"""The limits of a worker's memory and processor time and of a request's duration, with their errors."""
 
+import asyncio
 import os
 import resource
 import signal
-from collections.abc import Iterator
+import time
+from collections.abc import Awaitable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Never
+from typing import Never, Self, TypeVar
 
-from ...errors import TooLargeError
+from ...errors import ServiceError, TooLargeError
+
+Result = TypeVar("Result")
 
 
 def limit_memory(limit_bytes: int) -> None:
-    """Lets this process, and each that it starts, write to so much memory beyond what it has now. Linux alone tells how
-    much that is; elsewhere the service's watch is the only limit."""
+    """Limits the memory that this process and its children may allocate beyond what they have now. Linux only;
+    elsewhere the service's watch is the only limit."""
     status = Path("/proc/self/status")
     if status.exists():
         [data] = [line for line in status.read_text().splitlines() if line.startswith("VmData:")]
@@ -22,7 +27,7 @@ def limit_memory(limit_bytes: int) -> None:
 
 
 def too_large(limit_bytes: int) -> TooLargeError:
-    """What is told of work that needs more memory than a worker may take."""
+    """The error of a job that needs more memory than a worker may use."""
     return TooLargeError(
         "work_too_large", f"this takes more than the {limit_bytes} bytes of memory that a request may use; send less"
     )
@@ -33,14 +38,13 @@ _LOWEST = 19
 
 
 class ProcessorTimeError(BaseException):
-    """The time is up. Not an Exception, so that nothing on its way takes it for a mistake in what was sent."""
+    """The time is up. Not an Exception, so that no handler on its way takes it for an error in the input."""
 
 
 @contextmanager
 def processor_time(limit_s: float) -> Iterator[None]:
-    """A block that may take so many seconds of the processor, its own threads and the kernel's work for it included;
-    after a tenth of them its process gives way to others. Only in a process's main thread. Raises
-    ProcessorTimeError."""
+    """Limits the processor time of a block, user and system time of all threads, seconds; after a tenth of it the
+    process lowers its priority. Only in the main thread. Raises ProcessorTimeError."""
     patience_s = limit_s * _GIVES_WAY_AFTER
     signal.signal(signal.SIGPROF, _late)
     signal.setitimer(signal.ITIMER_PROF, patience_s, limit_s - patience_s)
@@ -51,22 +55,49 @@ def processor_time(limit_s: float) -> Iterator[None]:
 
 
 def too_long(limit_s: float) -> TooLargeError:
-    """What is told of a message that takes more of the processor."""
+    """The error of a message that takes too much processor time."""
     return TooLargeError(
         "work_too_large", f"this takes more than the {limit_s:g} s of a processor that a message may use"
     )
 
 
 def give_way() -> None:
-    """This process works from now on when no other wants to. It cannot be taken back, but by root."""
+    """Lowers this process's priority to the lowest; only root could raise it again."""
     os.nice(_LOWEST - os.nice(0))
 
 
 def _late(*_signal: object) -> None:
-    """First this process gives way, the next time it is stopped."""
+    """The first signal lowers the priority, the next one stops the block."""
     signal.signal(signal.SIGPROF, _stop)
     give_way()
 
 
 def _stop(*_signal: object) -> Never:
     raise ProcessorTimeError
+
+
+@dataclass(frozen=True, slots=True)
+class Deadline:
+    """When a request must be answered; `ends_s` is a time of the monotonic clock."""
+
+    limit_s: float
+    ends_s: float
+
+    @classmethod
+    def starting_now(cls, limit_s: float) -> Self:
+        return cls(limit_s, time.monotonic() + limit_s)
+
+    @property
+    def remaining_s(self) -> float:
+        return max(0.0, self.ends_s - time.monotonic())
+
+    def passed(self) -> ServiceError:
+        return ServiceError("deadline_passed", f"not done within {self.limit_s:g} s; send a shorter line or try later")
+
+    async def within(self, waiting: Awaitable[Result]) -> Result:
+        """What `waiting` brings; raises ServiceError `deadline_passed`."""
+        try:
+            async with asyncio.timeout(self.remaining_s):
+                return await waiting
+        except TimeoutError:
+            raise self.passed() from None

@@ -1,6 +1,6 @@
-"""The life of a process that has one live stream: messages come over its socket, and what is told goes back, until the
-stream or the socket ends. A process of its own costs each stream little, for it shares what the nursery has loaded, and
-no stream waits for the work of another.
+"""The main loop of a process with one live stream: messages come in and go out over its socket, until the stream or the
+socket ends. A process for each stream is cheap, for it shares what the nursery has loaded, and no stream waits for
+another.
 """
 
 import logging
@@ -15,7 +15,7 @@ from ...live.models import LiveModels
 from ...schemas.live import to_error
 from ...settings import Settings
 from .conversation import Conversation
-from .endings import end_with
+from .families import end_with
 from .limits import ProcessorTimeError, give_way, limit_memory, processor_time, too_large, too_long
 from .messages import LiveInput, LiveOutput, Ready, receive, send
 
@@ -23,11 +23,10 @@ _LOGGER = logging.getLogger(__name__)
 _FRAME = '{"type":"frame"'
 
 STARTS_WITH_S, USUAL_SHARE = 5.0, 0.5
-"""Processor time that a stream may take at once, and then of every second. With frames it takes .15 on a quiet core."""
+"""The processor time that a stream may use at first, and its share afterwards; with frames it uses .15 of a core."""
 
 FASTEST_CLOCK = 1.02
-"""A sender whose clock runs no faster is never held back, however long its stream; those of sound cards are within
-.005 of true."""
+"""A sender whose clock runs no faster is never throttled; the clocks of sound cards are within .005 of true."""
 
 
 def stream(service: socket.socket, models: LiveModels, settings: Settings) -> None:
@@ -51,20 +50,19 @@ def stream(service: socket.socket, models: LiveModels, settings: Settings) -> No
 
 
 def takes_too_much(processor_s: float, passed_s: float) -> bool:
-    """Whether a stream has taken more of a processor than one that keeps pace with a voice: it can be one of many that
-    are meant to slow others."""
+    """Whether a stream has used more processor time than speech in real time needs, as in an attack."""
     return processor_s > STARTS_WITH_S + USUAL_SHARE * passed_s
 
 
 def too_soon_s(heard_s: float, passed_s: float, ahead_s: float) -> float:
-    """How long to wait with more sound, when so much was heard in the time that passed and may be ahead of it."""
+    """How long to wait before reading more sound: the sound heard may be `ahead_s` ahead of the clock."""
     return max(0.0, heard_s - passed_s * FASTEST_CLOCK - ahead_s)
 
 
 def _answer(
     service: socket.socket, conversation: Conversation, settings: Settings, content: bytes, *, is_text: bool
 ) -> None:
-    """Sends what a message is answered; of a mistake of ours, that there was one."""
+    """Sends the answers to a message; a bug is logged and sent as `internal_error`."""
     frames: list[str] = []
     others: list[str] = []
     try:

@@ -1,7 +1,7 @@
-"""What the service and its processes tell each other over local sockets: a pickled value, and a content beside it.
+"""The messages between the service and its processes over local sockets: a pickled value and binary content.
 
-A message is two lengths (network order, 8 bytes each), the pickle, then the content, which is never copied into a
-pickle: it may be a recording or a clip of many megabytes. Both ends are our own processes, joined by a socket pair.
+A message is two lengths (network order, 8 bytes each), the pickle, then the content, which is not pickled because it
+may be many megabytes of audio or motion. Both ends are our own processes, joined by a socket pair.
 """
 
 import asyncio
@@ -23,7 +23,7 @@ Content: TypeAlias = bytes | bytearray
 
 
 class Task(StrEnum):
-    """What is to be made of a request's body."""
+    """The kind of a request."""
 
     PERFORM = "perform"
     REALIZE = "realize"
@@ -38,7 +38,7 @@ class Task(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Job:
-    """A request, of which nothing has been parsed; its body is the content beside it."""
+    """An unparsed request; its body is the content."""
 
     task: Task
     content_type: str
@@ -47,7 +47,7 @@ class Job:
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """What the client gets, but for the body, which is the content beside it."""
+    """The response; its body is the content."""
 
     media_type: str
     headers: Mapping[str, str] = field(default_factory=dict)
@@ -55,14 +55,14 @@ class Answer:
 
 @dataclass(frozen=True, slots=True)
 class Failed:
-    """What went wrong instead."""
+    """The error of a job."""
 
     error: UnderstudyError
 
 
 @dataclass(frozen=True, slots=True)
 class Start:
-    """To the nursery, first: how everything is loaded, and how it logs (for `logging.config`; None: not at all)."""
+    """To the nursery, first: the settings, and the configuration of `logging.config` (None: no logging)."""
 
     settings: Settings
     logging: dict[str, Any] | None
@@ -70,15 +70,15 @@ class Start:
 
 @dataclass(frozen=True, slots=True)
 class Loaded:
-    """From the nursery: everything is (again); the library as JSON, by path."""
+    """From the nursery, after each loading: the library as JSON, by path."""
 
     library: Mapping[str, bytes]
 
 
 @dataclass(frozen=True, slots=True)
 class Fork:
-    """To the nursery, with a socket: have a worker at its other end, with these limits; one for a live stream does
-    nothing else."""
+    """To the nursery, with a socket: fork a worker at its other end, with these settings; for jobs or for one live
+    stream."""
 
     settings: Settings
     is_live: bool = False
@@ -91,7 +91,7 @@ class Reload:
 
 @dataclass(frozen=True, slots=True)
 class Ready:
-    """From a worker, first: its process, and how much of its memory it shares, bytes."""
+    """From a worker, first: its process id, and its memory at that time, which is shared, bytes."""
 
     pid: int
     shared_bytes: int
@@ -99,15 +99,15 @@ class Ready:
 
 @dataclass(frozen=True, slots=True)
 class LiveInput:
-    """To a worker with a live stream: a message of its client, which is the content beside it."""
+    """To a live worker: a message of its client, in the content."""
 
     is_text: bool
 
 
 @dataclass(frozen=True, slots=True)
 class LiveOutput:
-    """From it: messages for the client, one a line, in the content beside it. Of `are_frames` some may be left out;
-    after one that has `ended` there are no more."""
+    """From a live worker: messages for the client, one a line, in the content. Outputs that `are_frames` may be
+    dropped; none follows one that has `ended`."""
 
     ended: bool
     are_frames: bool

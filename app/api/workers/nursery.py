@@ -1,7 +1,7 @@
 """The process that loads everything once and forks the workers, which share its memory until they write to it.
 
-It has one thread, so that forking is safe, and does nothing else: run as `python -m understudy.api.workers.nursery
-DESCRIPTOR`, it follows what comes over that socket, and ends when the socket does. Requires a Unix.
+It has one thread, so that forking is safe. Run as `python -m understudy.api.workers.nursery DESCRIPTOR`, it obeys the
+messages on that socket and ends when it closes. Requires Unix.
 """
 
 import gc
@@ -25,9 +25,9 @@ from ...errors import UnderstudyError
 from ...library.hearing import read_audio
 from ...library.motion import realize
 from ...library.performing import perform_line
+from ...live.messages import LiveOptions
 from ...live.models import LiveModels
 from ...live.session import LiveSession
-from ...live.telling import LiveOptions
 from ...model import Line
 from ...models import Understudy
 from ...options import Options
@@ -40,11 +40,11 @@ from .messages import Failed, Fork, Loaded, Reload, Start, receive, send
 from .worker import work
 
 STEPS = 50
-"""In how many parts each half of the bundled line is heard as live speech: .07 s each."""
+"""The chunks of each half of the bundled line, .07 s each."""
 
 
 def main(control: socket.socket) -> None:
-    """Loads, then forks and reloads as it is told, until nobody tells any more."""
+    """Loads everything, then forks and reloads on request, until the socket closes."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     start, _, _ = receive(control)
     assert isinstance(start, Start)
@@ -57,9 +57,9 @@ def main(control: socket.socket) -> None:
     except UnderstudyError as error:
         send(control, Failed(error))
         return
-    with suppress(BrokenPipeError):  # the service has ended meanwhile, as the next message that does not come tells
+    with suppress(BrokenPipeError):  # the service has ended meanwhile, which the next receive notices
         send(control, Loaded(_library(understudy)))
-    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # workers that end are nobody's to wait for
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # ended workers are reaped by the kernel
     while True:
         try:
             message, _, descriptors = receive(control)
@@ -72,8 +72,8 @@ def main(control: socket.socket) -> None:
 
 
 def _warm(models: LiveModels) -> None:
-    """Performs and realizes the bundled line, and hears it as a live stream, so that no worker loads what only the
-    first line needs; what is loaded then is spared by the collection of garbage, which would write to every page."""
+    """Performs and realizes the bundled line, and streams it live, so that workers inherit whatever is loaded lazily;
+    then freezes all objects, for garbage collection would write to every shared page."""
     examples = resource_folder("examples")
     sound, text = (examples / "example.flac").read_bytes(), (examples / "example.txt").read_text(encoding="utf-8")
     performed = perform_line(models.understudy, Line(sound, text), Options())
@@ -102,7 +102,7 @@ def _fork(control: socket.socket, models: LiveModels, fork: Fork, service: socke
 
 
 def _be_worker(service: socket.socket, models: LiveModels, fork: Fork) -> Never:
-    """The rest of a worker's life; nothing of the nursery's is run afterwards."""
+    """Runs the worker and exits; the nursery's code never continues in a worker."""
     understudy = models.understudy.with_settings(fork.settings)
     try:
         signal.signal(signal.SIGCHLD, signal.SIG_DFL)
@@ -115,7 +115,7 @@ def _be_worker(service: socket.socket, models: LiveModels, fork: Fork) -> Never:
 
 
 def _reloaded(control: socket.socket, models: LiveModels) -> LiveModels:
-    """What is loaded from now on; what was, when the files have mistakes."""
+    """The newly loaded models, or the old ones if the files have mistakes."""
     try:
         again = LiveModels.load(read_again(models.understudy))
     except UnderstudyError as error:
@@ -126,7 +126,7 @@ def _reloaded(control: socket.socket, models: LiveModels) -> LiveModels:
 
 
 def _library(understudy: Understudy) -> Mapping[str, bytes]:
-    """What the service answers about characters, gestures, rules and words."""
+    """The answers of the service about characters, gestures, rules and words, as JSON by path."""
     behavior = understudy.behavior
     catalogue = Catalogue.of(understudy.language.rules, behavior.characters, behavior.rules, behavior.families)
     words, rules = (

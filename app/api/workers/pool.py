@@ -1,8 +1,8 @@
-"""The service's workers: a place for each, a short queue before them, and what happens to those that hang or die.
+"""The pool of workers, with a short queue, and the replacement of workers that hang or die.
 
-A job that passes its deadline, whose client has gone, or that the end of the service overtakes is stopped by ending its
-worker; another is forked meanwhile. A worker that is lost at work without that being its job's fault (killed, its
-aligner stopped) costs nobody anything: the job, which changes nothing, is given to another, once.
+A job that exceeds its deadline, whose client has gone, or that runs when the service stops is cancelled by killing its
+worker; another is forked. If a worker is lost through no fault of its job (killed, its aligner stopped), the job, which
+has no side effects, is retried once on another.
 """
 
 import asyncio
@@ -14,13 +14,10 @@ from typing import Self
 
 from ...errors import ServiceError, UnderstudyError
 from ...settings import Settings
-from ..deadlines import Deadline
-from .limits import too_large
+from .limits import Deadline, too_large
 from .messages import Answer, Content, Failed, Job
-from .processes import Nursery, Worker, WorkerLostError, wait_until_gone
-from .service_times import ServiceTimes
-from .turns import Turns
-from .watch import Seen, is_stopped, look
+from .processes import Nursery, Seen, Worker, WorkerLostError, is_stopped, look, wait_until_gone
+from .turns import ServiceTimes, Turns
 
 _LOGGER = logging.getLogger(__name__)
 JOBS_A_WORKER = 1000
@@ -28,22 +25,22 @@ JOBS_A_WORKER = 1000
 
 _WATCH_EVERY_S = 0.5
 _FORK_WITHIN_S = 60.0
-"""However busy the machine; processes that hang are noticed by the watch."""
+"""On a busy machine too; processes that hang are noticed sooner, by the watch."""
 
 _AGAIN_AFTER_S = 0.5
 _RETRIES = 1
 _LOST = frozenset({"aligner_crashed"})
-"""Codes of errors that are a worker's trouble, not its job's."""
+"""Error codes that are the worker's fault, not its job's."""
 
 _SPENT = frozenset({"work_too_large"})
-"""Codes of errors after which a worker may keep so much memory that the next job has too little."""
+"""Error codes after which a worker is replaced, because its memory may not be free for the next job."""
 
 
 class Pool:
     """Runs jobs in worker processes. Belongs to the event loop that entered it."""
 
     def __init__(self, nursery: Nursery, settings: Settings, *, jobs_each: int = JOBS_A_WORKER) -> None:
-        """The nursery stays its giver's to close; one that replaces it when it ends is closed here."""
+        """The caller closes the nursery; replacements of it are closed here."""
         self._jobs_each = jobs_each
         self.nursery = self._given = nursery
         self._settings = settings
@@ -86,27 +83,27 @@ class Pool:
 
     @property
     def busy(self) -> int:
-        """How many jobs are being done."""
+        """The number of running jobs."""
         return len(self._busy)
 
     @property
     def waiting(self) -> int:
-        """How many jobs wait for a worker."""
+        """The number of jobs that wait for a worker."""
         return len(self._waiting)
 
     @property
     def _missing(self) -> int:
-        """Workers that are being started. The jobs of those that were lost wait again and take nobody's place."""
+        """The number of workers being started, whose jobs wait again without taking a place in the queue."""
         return max(self._settings.worker_count - len(self._idle) - len(self._busy), 0)
 
     @property
     def retry_after_s(self) -> float:
-        """When those that are being done or wait now will be done, as long as jobs have taken lately."""
+        """An estimate of when all current jobs will be done, from recent durations."""
         return self._times.mean_s * (self.busy + self.waiting) / self._settings.worker_count
 
     def require_place(self, caller: str = "") -> None:
-        """Raises ServiceError `service_full` when no more jobs of this caller may wait, `service_stopping`. Up to half
-        of the queue is kept for those who were told to come again before."""
+        """Raises ServiceError `service_full` if this caller's job may not wait, `service_stopping`. Up to half of the
+        queue is reserved for callers that were refused before."""
         if self._is_stopping:
             raise _stopping()
         length = self._settings.queue_length
@@ -115,7 +112,7 @@ class Pool:
             raise self._full(caller)
 
     async def trouble(self) -> str | None:
-        """Why some worker cannot do what it should now; None when all can."""
+        """Why the pool is not ready; None when it is."""
         if self._is_stopping:
             return "the service is stopping"
         await self._look()
@@ -127,9 +124,9 @@ class Pool:
         return "; ".join(stopped) or None
 
     async def run(self, job: Job, content: Content, deadline: Deadline, caller: str = "") -> tuple[Answer, bytearray]:
-        """The answer to a job of a caller, and its body. When this is cancelled the job is stopped.
+        """The answer to a job, and its body. Cancelling this stops the job.
 
-        Raises what the job raises, and ServiceError: `service_full`, `service_stopping`, `deadline_passed`,
+        Raises the job's error, and ServiceError: `service_full`, `service_stopping`, `deadline_passed`,
         `worker_lost`.
         """
         self.require_place(caller)
@@ -148,7 +145,7 @@ class Pool:
             task.cancel()
 
     async def stop(self, grace_s: float) -> None:
-        """Takes no more jobs, and returns when those that run or wait are done; after `grace_s` they are stopped."""
+        """Refuses new jobs, and returns when all others are done; after `grace_s` they are stopped."""
         self._is_stopping = True
         if self._running:
             await asyncio.wait(self._running, timeout=grace_s)
@@ -157,7 +154,7 @@ class Pool:
         await asyncio.gather(*self._running, return_exceptions=True)
 
     async def replace_all(self) -> None:
-        """Has every worker replaced by a new one, those that work when they are done."""
+        """Replaces every worker, the busy ones when they are done."""
         await asyncio.gather(*self._making)
         self._retired |= {worker.process.pid for worker in self._busy}
         while self._idle:
@@ -191,7 +188,7 @@ class Pool:
         raise answer.error
 
     async def _taken(self, caller: str) -> Worker:
-        """A worker, as soon as one is free. Raises ServiceError `service_full` when none was for too long."""
+        """A free worker. Raises ServiceError `service_full` after waiting too long."""
         while self._idle and self._idle[0].has_ended:
             self._dismiss(self._idle.popleft())
         worker = await self._queued(caller) if self._waiting or not self._idle else self._idle.popleft()
@@ -225,7 +222,7 @@ class Pool:
             self._offer(worker)
 
     def _offer(self, worker: Worker) -> None:
-        """To whoever waits longest."""
+        """Gives the worker to the longest waiting job, or marks it idle."""
         while self._waiting:
             place = self._waiting.popleft()
             if not place.done():
@@ -235,7 +232,7 @@ class Pool:
         self._idle.append(worker)
 
     def _dismiss(self, worker: Worker) -> None:
-        """Ends a worker and has another take its place."""
+        """Ends a worker and starts another."""
         self._retired.discard(worker.process.pid)
         worker.end()
         self._make()
@@ -251,7 +248,7 @@ class Pool:
         self._offer(await self.forked())
 
     async def forked(self, *, is_live: bool = False) -> Worker:
-        """One more worker, however long that takes; a nursery that has ended or hangs is replaced."""
+        """A new worker; a nursery that has ended or hangs is replaced first."""
         while True:
             nursery = self.nursery
             try:
@@ -261,8 +258,7 @@ class Pool:
                 await self._renewed(nursery)
 
     async def _renewed(self, failed: Nursery) -> None:
-        """Returns when another nursery has taken the place of one that failed. Whoever does not wait so long leaves the
-        others what is being done."""
+        """Waits until the failed nursery is replaced. Cancelling one waiter does not cancel the replacement."""
         self._renew_soon(failed)
         if self._renewing is not None:
             await asyncio.shield(self._renewing)
@@ -293,8 +289,7 @@ class Pool:
             await self._look()
 
     async def _look(self) -> None:
-        """Ends processes that are stopped and workers that have taken too much memory, and replaces workers that
-        died idle."""
+        """Kills stopped processes and workers with too much memory, and replaces workers that died idle."""
         jobs = {worker: worker.jobs for worker in self._workers()}
         nursery = self.nursery
         self._seen = await asyncio.to_thread(look, tuple(jobs), self._settings.worker_memory_bytes)

@@ -1,4 +1,5 @@
-"""The service's side of its processes: the nursery, started and told what to do, and the workers that it forks."""
+"""The service's side of its processes: the nursery, which it starts and commands, the workers that the nursery forks,
+and how they look from outside: which are stopped, dead, or too large."""
 
 import os
 import socket
@@ -34,12 +35,12 @@ from .messages import (
 
 COMMAND = (sys.executable, "-m", "understudy.api.workers.nursery")
 _ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-"""Products of matrices stay on one processor: a line is too short to share."""
+"""Matrix products stay on one core: a line is too short to share."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Origin:
-    """How a nursery was started."""
+    """The arguments with which a nursery was started."""
 
     settings: Settings
     logging: dict[str, Any] | None
@@ -51,7 +52,7 @@ class WorkerLostError(Exception):
 
 
 class Nursery:
-    """The process that loads everything and forks workers."""
+    """The service's handle of the process that loads everything and forks workers."""
 
     def __init__(self, process: subprocess.Popen[bytes], control: socket.socket, origin: "_Origin") -> None:
         self._process = process
@@ -93,11 +94,11 @@ class Nursery:
 
     @property
     def has_ended(self) -> bool:
-        """Whether the process has ended, for whatever reason."""
+        """Whether the process has ended."""
         return self._process.poll() is not None
 
     def again(self) -> "Nursery":
-        """Another in the place of this one, which is closed; raises as `start` does."""
+        """Closes this nursery and starts a replacement; raises as `start` does."""
         self.close()
         origin = self._origin
         return Nursery.start(origin.settings, logging=origin.logging, command=origin.command)
@@ -116,8 +117,8 @@ class Nursery:
         return ours
 
     def reload(self) -> None:
-        """Has everything authored read again, and waits for that. Raises AuthoringError with the mistakes in it, after
-        which all stays as it was, ServiceError `nursery_ended`."""
+        """Reloads all authored files and waits. Raises AuthoringError with their mistakes, in which case nothing
+        changes, ServiceError `nursery_ended`."""
         try:
             with self._turn:
                 send(self._control, Reload())
@@ -126,11 +127,11 @@ class Nursery:
         self._wait()
 
     def kill(self) -> None:
-        """Ends the process alone, which the next call notices."""
+        """Kills the process; the next call notices."""
         self._process.kill()
 
     def close(self) -> None:
-        """Ends the process; workers go on until their own sockets are closed."""
+        """Ends the process; workers run until their own sockets are closed."""
         self._control.close()
         self.kill()
         self._process.wait()
@@ -154,7 +155,7 @@ class Nursery:
 
 @dataclass(slots=True, eq=False)
 class Worker:
-    """A worker process. `given_up` says why it was ended, where we ended it for the job it has."""
+    """The handle of a worker process. `given_up` is the error of its job if the service killed it for that job."""
 
     socket: socket.socket
     process: psutil.Process
@@ -181,7 +182,7 @@ class Worker:
             raise
 
     async def answer(self, job: Job, content: Content) -> tuple[Answer | Failed, bytearray]:
-        """Its answer; raises WorkerLostError. Whoever cancels this has to `end` the worker."""
+        """The answer to a job; raises WorkerLostError. If this is cancelled, the caller must `end` the worker."""
         self.jobs += 1
         self.given_up = None
         try:
@@ -196,7 +197,7 @@ class Worker:
 
     @property
     def has_ended(self) -> bool:
-        """Whether its end of the socket is closed; a process that was killed is there until its parent knows of it."""
+        """Whether its end of the socket is closed; a killed process may still be listed as a zombie."""
         try:
             return not self.socket.recv(1, socket.MSG_PEEK | socket.MSG_DONTWAIT)
         except BlockingIOError:
@@ -205,12 +206,12 @@ class Worker:
             return True
 
     def end(self) -> None:
-        """Ends it with all that it started, whatever they do, and closes its socket."""
+        """Kills it with its children and closes its socket."""
         self.kill()
         self.socket.close()
 
     def kill(self) -> None:
-        """Ends it with all that it started; its socket ends too, which whoever waits for its answer notices."""
+        """Kills it with its children; whoever waits for its answer notices the closed socket."""
         with suppress(psutil.NoSuchProcess):
             for each in family_of(self.process):
                 with suppress(psutil.NoSuchProcess):
@@ -226,3 +227,43 @@ def wait_until_gone(workers: Sequence[Worker], longest_s: float = 2.0) -> None:
 
 def _ended() -> ServiceError:
     return ServiceError("nursery_ended", "the process that loads the models has ended; the log says why")
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """A worker as seen from outside; `trouble` is why it must be replaced, or None."""
+
+    worker: Worker
+    trouble: str | None
+    is_too_large: bool = False
+
+
+def look(workers: Sequence[Worker], limit_bytes: int) -> tuple[Seen, ...]:
+    """The state of each worker with its children. Memory counts beyond what was shared when the worker began."""
+    return tuple(_seen(worker, limit_bytes) for worker in workers)
+
+
+def is_stopped(pid: int) -> bool:
+    """Whether a process exists but is stopped (SIGSTOP)."""
+    try:
+        return psutil.Process(pid).status() == psutil.STATUS_STOPPED
+    except psutil.NoSuchProcess:
+        return False
+
+
+def _seen(worker: Worker, limit_bytes: int) -> Seen:
+    pid = worker.process.pid
+    try:
+        family = family_of(worker.process)
+        stopped = [each.pid for each in family if each.status() == psutil.STATUS_STOPPED]
+        grown_bytes = sum(each.memory_info().rss for each in family) - worker.shared_bytes
+    except psutil.NoSuchProcess:
+        if worker.process.is_running():
+            return Seen(worker, None)  # a process of its own ended as it was looked at
+        return Seen(worker, f"worker {pid} has ended and is being replaced")
+    if stopped:
+        whose = "it" if pid in stopped else "its aligner"
+        return Seen(worker, f"worker {pid} is being replaced: {whose} was stopped")
+    if grown_bytes > limit_bytes:
+        return Seen(worker, f"worker {pid} is being replaced: it took too much memory", is_too_large=True)
+    return Seen(worker, None)

@@ -1,4 +1,4 @@
-"""The processes of live streams: how many there may be, of one caller and of all; each ends with its stream."""
+"""The processes of live streams, limited in number, of each caller and of all; each ends with its stream."""
 
 import asyncio
 from collections import Counter
@@ -14,17 +14,17 @@ _AGAIN_AFTER_S = 5.0
 
 
 class Streams:
-    """Gives each stream a process. Belongs to the event loop that made it."""
+    """Gives each stream a process. Belongs to one event loop."""
 
     def __init__(self, pool: Pool, settings: Settings) -> None:
-        """The pool has its nursery fork them."""
+        """The pool forks the processes."""
         self._pool, self._settings = pool, settings
         self._open = Counter[str]()
         self._stopping = asyncio.Event()
 
     @property
     def count(self) -> int:
-        """How many streams there are."""
+        """The number of open streams."""
         return self._open.total()
 
     @asynccontextmanager
@@ -49,7 +49,7 @@ class Streams:
         await self._stopping.wait()
 
     def stop(self) -> None:
-        """Has all streams end, and none begin."""
+        """Ends all streams, and refuses new ones."""
         self._stopping.set()
 
     def _require_place(self, caller: str) -> None:
@@ -64,7 +64,7 @@ class Streams:
 
     async def _forked(self) -> Worker:
         try:
-            async with asyncio.timeout(self._settings.deadline_s):  # a nursery that has ended is started meanwhile
+            async with asyncio.timeout(self._settings.deadline_s):  # long enough to restart a nursery
                 return await self._pool.forked(is_live=True)
         except TimeoutError:
             message = "no process could be started for this stream; try again"

@@ -1,7 +1,7 @@
-"""A worker's life: jobs come over its socket, one at a time, and answers go back, until the socket ends.
+"""The main loop of a worker: jobs come in over its socket, one at a time, and answers go back, until the socket closes.
 
-Whatever it does when the socket ends, be it that the service has died, it ends with its aligner. The kernel refuses it
-memory past its limit, which becomes an answer of its own.
+When the socket closes, even because the service has died, the worker ends at once with its aligner. The kernel refuses
+memory beyond its limit, which is answered as an error.
 """
 
 import logging
@@ -13,7 +13,7 @@ import psutil
 from ...errors import ServiceError, UnderstudyError
 from ...models import Understudy
 from .answering import answered
-from .endings import end, end_with
+from .families import end, end_with
 from .limits import limit_memory, too_large
 from .messages import Answer, Failed, Job, Ready, receive, send
 

@@ -18,9 +18,9 @@ from ...errors import InputError
 from ...library.hearing import audio_limits, read_audio
 from ...live.avatars.sending import FrameSender
 from ...live.body import BodyFrame
+from ...live.messages import LiveMessage, LiveOptions
 from ...live.models import LiveModels
 from ...live.session import LiveSession
-from ...live.telling import LiveOptions, Told
 from ...model import SAMPLE_RATE_HZ, FloatArray
 from ...models import Understudy
 from ...schemas.live import read_samples, to_done, to_json, to_ready
@@ -65,7 +65,7 @@ class _Sink:
         self.out.write(message + "\n")
         self.out.flush()
 
-    def told(self, told: Told) -> None:
+    def told(self, told: LiveMessage) -> None:
         if isinstance(told, BodyFrame):
             for sender in self.senders:
                 sender.send(told)

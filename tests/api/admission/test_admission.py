@@ -11,8 +11,8 @@ from starlette.testclient import WebSocketDenialResponse
 
 from understudy.api.admission.admission import Admission, require_keys
 from understudy.api.admission.entrance import guard
-from understudy.api.admission.guesses import WRONG_A_MINUTE
-from understudy.api.admission.other_pages import let_in_pages
+from understudy.api.admission.headers import let_in_pages
+from understudy.api.admission.rates import WRONG_A_MINUTE
 from understudy.api.description import page
 from understudy.api.problems import answer_errors_as_problems
 from understudy.errors import InputError

@@ -8,8 +8,14 @@ import pytest
 from pydantic import SecretStr
 from starlette.datastructures import Headers
 
-from understudy.api.admission.key_ring import LOOK_EVERY_S, KeyRing
-from understudy.api.admission.keys import FEWEST_CHARACTERS, ApiKeys, authorization, offers_protocol
+from understudy.api.admission.keys import (
+    FEWEST_CHARACTERS,
+    LOOK_EVERY_S,
+    ApiKeys,
+    KeyRing,
+    authorization,
+    offers_protocol,
+)
 from understudy.errors import InputError
 from understudy.settings import Settings
 

@@ -15,8 +15,7 @@ from understudy.api import authoring
 from understudy.api.admission.admission import PROBES
 from understudy.api.description.authoring_operations import AUTHORING_OPERATIONS
 from understudy.api.description.document import describe
-from understudy.api.description.live_operation import LIVE_MESSAGES
-from understudy.api.description.operations import OPERATIONS
+from understudy.api.description.operations import LIVE_MESSAGES, OPERATIONS
 from understudy.api.routes import router
 from understudy.model import Level, Mode
 from understudy.model.formats.bml_form import DialectName, TimeForm

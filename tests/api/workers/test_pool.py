@@ -12,7 +12,7 @@ import psutil
 import pytest
 
 from tests.support.jobs import LONG, LONG_BML, SHORT, SHORT_TEXT
-from understudy.api.deadlines import Deadline
+from understudy.api.workers.limits import Deadline
 from understudy.api.workers.messages import Answer
 from understudy.api.workers.pool import JOBS_A_WORKER, Pool
 from understudy.api.workers.processes import Nursery

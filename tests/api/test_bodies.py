@@ -8,7 +8,7 @@ from starlette.datastructures import Headers
 from starlette.requests import ClientDisconnect
 from starlette.types import Message, Receive
 
-from understudy.api.uploads import Uploads, declared_bytes
+from understudy.api.bodies import Uploads, declared_bytes
 from understudy.errors import ServiceError, SlowClientError, TooLargeError
 from understudy.settings import Settings
 

@@ -4,7 +4,7 @@ import asyncio
 
 import pytest
 
-from understudy.api.deadlines import Deadline
+from understudy.api.workers.limits import Deadline
 from understudy.errors import ServiceError
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from understudy.api.clients import MOST_CLIENTS, Rates
+from understudy.api.admission.rates import MOST_CLIENTS, Rates
 from understudy.errors import TooManyError
 
 

@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from understudy.api.unsent import MOST_FRAMES, MOST_OTHERS, Unsent
+from understudy.api.outgoing_queue import MOST_FRAMES, MOST_OTHERS, OutgoingQueue
 from understudy.api.workers.messages import LiveOutput
 
 FRAMES, OTHER, LAST = LiveOutput(False, True), LiveOutput(False, False), LiveOutput(True, False)
@@ -16,7 +16,7 @@ def frames(number: int) -> str:
     return "\n".join([f"frame {number}"] * PER_OUTPUT)
 
 
-async def taken(unsent: Unsent) -> list[str]:
+async def taken(unsent: OutgoingQueue) -> list[str]:
     """All that is told, up to the last."""
     lines: list[str] = []
     while True:
@@ -28,7 +28,7 @@ async def taken(unsent: Unsent) -> list[str]:
 
 def test_nothing_is_left_out_while_there_is_room() -> None:
     async def run() -> list[str]:
-        unsent = Unsent()
+        unsent = OutgoingQueue()
         for number in range(MOST_FRAMES):
             await unsent.put(FRAMES, frames(number))
         await unsent.put(LAST, "done")
@@ -40,7 +40,7 @@ def test_nothing_is_left_out_while_there_is_room() -> None:
 
 def test_the_newest_frames_are_kept_and_it_is_told_how_many_were_not() -> None:
     async def run() -> list[str]:
-        unsent = Unsent()
+        unsent = OutgoingQueue()
         await unsent.put(OTHER, "gesture")
         for number in range(MOST_FRAMES + 1000):
             await unsent.put(FRAMES, frames(number))
@@ -55,7 +55,7 @@ def test_the_newest_frames_are_kept_and_it_is_told_how_many_were_not() -> None:
 
 def test_what_was_told_to_be_left_out_is_not_told_again() -> None:
     async def run() -> list[str]:
-        unsent = Unsent()
+        unsent = OutgoingQueue()
         for number in range(MOST_FRAMES + 1):
             await unsent.put(FRAMES, frames(number))
         await unsent.take()
@@ -67,7 +67,7 @@ def test_what_was_told_to_be_left_out_is_not_told_again() -> None:
 
 def test_all_else_waits_for_room_and_frames_do_not() -> None:
     async def run() -> None:
-        unsent = Unsent()
+        unsent = OutgoingQueue()
         for number in range(MOST_OTHERS):
             await unsent.put(OTHER, f"gesture {number}")
         with pytest.raises(TimeoutError):

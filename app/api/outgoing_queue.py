@@ -1,5 +1,5 @@
-"""What a live stream tells, while it waits for a client that reads more slowly: of frames only the newest are kept, and
-the client is told how many were left out; everything else waits, and when there is too much of it, so does the stream.
+"""The outgoing queue of a live stream. A slow client gets only the newest frames and a count of the skipped ones; other
+messages queue, and when the queue is full the stream blocks.
 """
 
 import asyncio
@@ -12,8 +12,8 @@ MOST_FRAMES, MOST_OTHERS = 32, 64
 """Outputs that may wait, of frames and of everything else. An output has the frames of one chunk of sound."""
 
 
-class Unsent:
-    """A queue of outputs and their lines, for one that puts and one that takes."""
+class OutgoingQueue:
+    """A queue of outputs and their lines, for one producer and one consumer."""
 
     def __init__(self) -> None:
         self._waiting: deque[tuple[LiveOutput, str]] = deque()
@@ -21,7 +21,7 @@ class Unsent:
         self._changed = asyncio.Condition()
 
     async def put(self, output: LiveOutput, lines: str) -> None:
-        """Frames at once, in place of the oldest where there is no room; all else when there is room."""
+        """Frames never wait: the oldest give way. Everything else waits for room."""
         async with self._changed:
             await self._changed.wait_for(lambda: output.are_frames or self._count(are_frames=False) < MOST_OTHERS)
             self._waiting.append((output, lines))
@@ -30,7 +30,7 @@ class Unsent:
             self._changed.notify_all()
 
     async def take(self) -> tuple[LiveOutput, str]:
-        """The next, when there is one; where frames were left out, first how many."""
+        """The next output, when there is one; after frames were skipped, first their number."""
         async with self._changed:
             await self._changed.wait_for(lambda: self._waiting)
             if self._skipped:

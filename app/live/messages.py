@@ -1,4 +1,4 @@
-"""What a stream is asked to do, and what it tells."""
+"""Options and output messages of a live stream. `heard_s` is the stream's time at which a message was sent."""
 
 from dataclasses import dataclass
 
@@ -9,7 +9,7 @@ from .mouth import MouthShape
 
 @dataclass(frozen=True, slots=True)
 class LiveOptions:
-    """Who performs and how; `frame_rate_hz` is 30 or 60, None for events alone."""
+    """Who performs and how; `frame_rate_hz` is 30 or 60, None for no frames."""
 
     sample_rate_hz: int = SAMPLE_RATE_HZ
     character: str = DEFAULT_CHARACTER
@@ -19,8 +19,8 @@ class LiveOptions:
 
 
 @dataclass(frozen=True, slots=True)
-class Moved:
-    """A behaviour begins or, if told before, is `revised`; told when `heard_s` had been heard."""
+class BehaviorMessage:
+    """A behaviour that begins or, if it was sent before, is `revised`."""
 
     behavior: Behavior
     heard_s: float
@@ -28,19 +28,19 @@ class Moved:
 
 
 @dataclass(frozen=True, slots=True)
-class Withdrawn:
-    """A behaviour that was told is not done, or no more."""
+class WithdrawalMessage:
+    """A behaviour that was sent is cancelled, or cut off."""
 
     id: str
     heard_s: float
 
 
 @dataclass(frozen=True, slots=True)
-class Mouthed:
+class MouthMessage:
     """The mouth takes a shape."""
 
     shape: MouthShape
     heard_s: float
 
 
-Told = Moved | Withdrawn | Mouthed | BodyFrame
+LiveMessage = BehaviorMessage | WithdrawalMessage | MouthMessage | BodyFrame
