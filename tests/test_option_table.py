@@ -62,7 +62,7 @@ def test_the_command_line_has_every_option(command: str) -> None:
 def test_the_command_line_has_no_other_options() -> None:
     """But files and what is done with the result."""
     files = {"text", "text-file", "words", "functions", "direction", "edits", "trace", "realize", "avatar", "output"}
-    general = {"help", "quiet", "json-log", "lexicon", "agitation-model", "no-physics"}
+    general = {"help", "quiet", "json-log", "lexicon", "agitation-model", "no-physics", "motion-model", "scenario"}
     known = {option.argument for option in (*PERFORMANCE.values(), *MOTION.values())}
     found = {flag for flag in _arguments("perform") if flag.startswith("--")}
     assert found - known == {f"--{name}" for name in files | general}

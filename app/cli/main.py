@@ -33,7 +33,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         arguments = make_parser().parse_args(argv)
         require_distinct(arguments)
-        command = importlib.import_module(f".commands.{arguments.command.replace(' ', '_')}", __package__)
+        command = importlib.import_module(f".commands.{_module(arguments.command)}", __package__)
         with set_by(arguments):
             code = cast(int, command.run(arguments, log))
         sys.stdout.flush()
@@ -46,6 +46,11 @@ def main(argv: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return INTERRUPTED
     return code
+
+
+def _module(command: str) -> str:
+    """The module of `agitation train` or `motion-model`."""
+    return command.replace(" ", "_").replace("-", "_")
 
 
 def _discard_the_rest() -> None:

@@ -36,6 +36,7 @@ CODES = MappingProxyType(
             *("field_repeated", "motion_too_large", "target_wrong", "unknown_target", "unknown_profile"),
             *("gesture_wrong", "unfit_gesture", "unknown_name", "rules_wrong", "rules_unreadable", "unknown_file"),
             *("edits_wrong", "profile_wrong", "tags_wrong", "lexicon_wrong", "agitation_model"),
+            *("bvh_wrong", "pairs_wrong", "motion_model"),
         ),
         429: ("too_many_requests", "too_many_wrong_keys"),
         500: (

@@ -18,24 +18,24 @@ import argparse
 import time
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from types import MappingProxyType
 
 import numpy as np
 
-from training.prosody_gestures.motion_pairs import MotionPair, movements, read_pairs
 from training.prosody_gestures.performed import SYNC_POINTS
 from training.prosody_gestures.performed_lines import read_performed
+from understudy.library.motion_models import Learning, read_pairs
 from understudy.model import FloatArray
-from understudy.prosody_gestures.clustering import learn_branches
-from understudy.prosody_gestures.counting import Smoothing, count, count_labels
+from understudy.models import load_realizer
+from understudy.motion_models.model import LABELS
+from understudy.motion_models.scoring import Trial as LeftOut
+from understudy.motion_models.scoring import left_out_trials
 from understudy.prosody_gestures.live_decoder import Commitment, LiveDecoder
-from understudy.prosody_gestures.mixtures import MixtureOptions, fit_mixtures
 from understudy.prosody_gestures.semi_markov import (
     FRAME_S,
-    Emissions,
     IntArray,
     MixtureEmissions,
     Segment,
@@ -62,8 +62,6 @@ THEIRS = MappingProxyType(
 """n, real-time factor / similarity in %, for each m."""
 
 MODELS = ("labels", "mixtures", "drawn", "own")
-INTONATION_LABELS = 20
-RTS_LONGEST_FRAMES, AHG_LONGEST_FRAMES = 400, 200
 BOUNDS_S = (0.1, 0.2, 0.4, 0.8, 1.6)
 
 Decoder = Callable[[SemiMarkovModel, FloatArray], tuple[Segment, ...]]
@@ -103,44 +101,24 @@ def as_printed(model: SemiMarkovModel, log_likelihoods: FloatArray, search: Sear
     return tuple(path[::-1])
 
 
-def paired_trials(pairs: Sequence[MotionPair], clusters: int, most: int | None) -> tuple[list[Trial], list[Trial]]:
+def paired_trials(folder: Path, kinds: int, most: int | None) -> tuple[list[Trial], list[Trial]]:
     """Each session's recordings, `most` of them, by models of the others': with labels, with mixtures."""
-    streams = movements(pairs)
-    labelled, mixed = list[Trial](), list[Trial]()
-    for session in sorted({pair.session for pair in pairs}):
-        heard = [place for place, pair in enumerate(pairs) if pair.session != session]
-        tested = [pair.features for pair in pairs if pair.session == session][:most]
-        branches = learn_branches([streams[place] for place in heard], clusters)
-        paths = [branches.segment(streams[place]) for place in heard]
-        prosody = [pairs[place].features for place in heard]
-        labelled += _labelled(paths, prosody, tested, clusters)
-        mixed += _mixed(paths, prosody, tested, clusters)
-    return labelled, mixed
+    pairs = read_pairs(folder, load_realizer())
+    left_out, _ = left_out_trials(pairs, Learning(kinds))
+    tested: list[LeftOut] = []
+    for session in sorted({each.pair.session for each in left_out}):
+        tested += [each for each in left_out if each.pair.session == session][:most]
+    return _trials(tested, LABELS), _trials(tested, "p")
 
 
-def _labelled(
-    paths: Sequence[list[Segment]], prosody: Sequence[FloatArray], tested: Sequence[FloatArray], states: int
-) -> list[Trial]:
-    intonation = learn_branches(prosody, INTONATION_LABELS)
-    labels = [states_by_frame(intonation.segment(each)) for each in prosody]
-    emissions = count_labels(zip(paths, labels, strict=True), states, INTONATION_LABELS)
-    model = _model(paths, states, RTS_LONGEST_FRAMES, emissions)
-    return [Trial(model, emissions.log_likelihoods(states_by_frame(intonation.segment(each)))) for each in tested]
-
-
-def _mixed(
-    paths: Sequence[list[Segment]], prosody: Sequence[FloatArray], tested: Sequence[FloatArray], states: int
-) -> list[Trial]:
-    frames, kinds = np.concatenate(prosody), np.concatenate([states_by_frame(path) for path in paths])
-    emissions = fit_mixtures([frames[kinds == state] for state in range(states)], MixtureOptions())
-    model = _model(paths, states, AHG_LONGEST_FRAMES, emissions)
-    return [Trial(model, emissions.log_likelihoods(each)) for each in tested]
-
-
-def _model(paths: Sequence[list[Segment]], states: int, longest: int, emissions: Emissions) -> SemiMarkovModel:
-    counts = count(paths, states, longest, Smoothing())
-    names = tuple(f"phrase {state}" for state in range(states))
-    return SemiMarkovModel(names, counts.log_initial, counts.log_transition, counts.log_duration, emissions)
+def _trials(tested: Sequence[LeftOut], features: str) -> list[Trial]:
+    return [
+        Trial(
+            replace(each.model.kinds, emissions=each.model.emissions[features]),
+            each.model.log_likelihoods(each.pair.voice, features),
+        )
+        for each in tested
+    ]
 
 
 def drawn_trials(mixed: Sequence[Trial], seed: int = 0) -> list[Trial]:
@@ -250,7 +228,7 @@ def main() -> None:
     parser.add_argument("--model", nargs="+", choices=MODELS, default=MODELS)
     arguments = parser.parse_args()
     if set(arguments.model) - {"own"}:
-        labelled, mixed = paired_trials(read_pairs(arguments.paired), arguments.clusters, arguments.trials)
+        labelled, mixed = paired_trials(arguments.paired, arguments.clusters, arguments.trials)
         if "labels" in arguments.model:
             report("paired recordings, labels of intonation phrases", labelled)
         if "mixtures" in arguments.model:

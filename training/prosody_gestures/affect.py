@@ -22,7 +22,7 @@ from understudy.acoustic.signal.decoding import decode
 from understudy.acoustic.signal.spectrum import energy_db
 from understudy.acoustic.stage import audio_limits
 from understudy.model import FloatArray
-from understudy.prosody_gestures.affect import DIMENSIONS, AffectModel, measures
+from understudy.motion_models.affect import DIMENSIONS, AffectModel, measures
 from understudy.prosody_gestures.prosody import raw_frames
 from understudy.settings import Settings
 

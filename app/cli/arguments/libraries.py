@@ -9,6 +9,8 @@ from .command import Adding, actions_of
 from .options import add_options
 from .shared import add_output
 
+PAIRS_HELP = "recordings with motion: NAME.bvh with NAME.wav, or NAME.npz; NAME.affect.csv beside them is their affect"
+
 
 def add_rules(add: Adding) -> None:
     add_action = actions_of(add("rules", "the rules, words, mappings and table entries"))
@@ -82,3 +84,12 @@ def add_profiles(add: Adding) -> None:
     add_action("list", "list them")
     show = add_action("show", "what stands out in one of them")
     show.add_argument("name", metavar="PROFILE", help=profile)
+
+
+def add_motion_models(add: Adding) -> None:
+    add_action = actions_of(add("motion-model", "motion learnt from recordings of speech with their motion"))
+    train = add_action("train", "learn a model: kinds of movements, when a voice brings them, and the movements")
+    train.add_argument("folder", metavar="FOLDER", help=PAIRS_HELP)
+    train.add_argument("--kinds", metavar="N", type=int, help="kinds of movements (default: as many as keep affect)")
+    train.add_argument("--seed", type=int, default=0, help="another number clusters otherwise (default 0)")
+    add_output(train, "MODEL", "where the model goes (.npz), for --motion-model")

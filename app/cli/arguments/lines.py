@@ -13,6 +13,7 @@ from .shared import (
     add_agitation_model,
     add_functions,
     add_line,
+    add_motion_model,
     add_output,
     add_text,
     add_words,
@@ -25,6 +26,7 @@ def add_perform(add: Adding) -> None:
     _add_performance(parser)
     add_reference(parser)
     add_agitation_model(parser)
+    add_motion_model(parser)
 
 
 def add_say(add: Adding) -> None:
@@ -32,7 +34,7 @@ def add_say(add: Adding) -> None:
     add_text(parser, "the words, with *marks* of emphasis, or as XML with the tags of SSML or APML")
     add_words(parser, "a synthesizer's times of the words: .json, .TextGrid or .ctm (default: usual ones)")
     _add_performance(parser)
-    parser.set_defaults(audio=None, reference=None)
+    parser.set_defaults(audio=None, reference=None, motion_model=None, scenario=None)
 
 
 def _add_performance(parser: argparse.ArgumentParser) -> None:

@@ -9,7 +9,7 @@ from ...errors import InputError
 from ...version import __version__
 from .batch import add_batch
 from .command import commands_of, voices
-from .libraries import add_characters, add_gestures, add_profiles, add_rules
+from .libraries import add_characters, add_gestures, add_motion_models, add_profiles, add_rules
 from .lines import add_analyses, add_live, add_perform, add_realize, add_say, add_script
 from .serving import add_serve, add_studio
 from .study import add_study
@@ -54,6 +54,7 @@ def make_parser() -> argparse.ArgumentParser:
     add_gestures(add)
     add_characters(add)
     add_profiles(add)
+    add_motion_models(add)
     add_study(add)
     add_serve(add)
     add_studio(add)

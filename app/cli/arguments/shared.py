@@ -38,6 +38,13 @@ def add_agitation_model(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--agitation-model", metavar="MODEL", type=InputFile, help=told)
 
 
+def add_motion_model(parser: argparse.ArgumentParser) -> None:
+    told = "arms, trunk and head by a motion model, from understudy motion-model train, in what --realize writes"
+    parser.add_argument("--motion-model", metavar="MODEL", type=InputFile, help=told)
+    told = "what drives it: voice and affect (S1, S2), voice (S3, S4), affect (S5, S6), or RTS (default S1)"
+    parser.add_argument("--scenario", metavar="S1…S6", default="S1", help=told)
+
+
 def add_functions(parser: argparse.ArgumentParser) -> None:
     told = "communicative functions that you know already: a JSON list"
     parser.add_argument("--functions", metavar="FILE", type=InputFile, help=told)

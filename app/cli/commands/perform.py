@@ -1,14 +1,17 @@
 """`understudy perform` and `say`: one line in, BML out, with a summary of what the character does and why."""
 
+from __future__ import annotations
+
 import argparse
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import PurePath
+from typing import TYPE_CHECKING
 
 from ...errors import InputError
 from ...library.checks import check_character, check_line
 from ...library.writing import speech_file_name, write_bml_files, write_bml_json, write_json
-from ...model import Line, Performance
+from ...model import AffectTrack, Analysis, Line, Performance
 from ...model.formats.bml_form import BmlForm
 from ...model.formats.motion_formats import is_editorial
 from ...options import Options
@@ -23,6 +26,10 @@ from ..log import Log
 from ..outputs.motions import MotionOptions, recording, require_motions, write_motions
 from ..outputs.summary import summary
 
+if TYPE_CHECKING:
+    from ...library.motion_models import Moving
+    from ...library.performing import PerformedLine
+
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
@@ -33,13 +40,16 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     check_character(options.character)
     require_reference(arguments.reference, settings)
     check_line(line, settings)
-    performance = _performed(line, options, arguments.reference, settings, log)
+    moves = _movement(arguments)
+    performed = _performed(line, options, arguments.reference, settings, log)
+    performance = performed.performance
     realized = [*arguments.realize, *([arguments.output] if is_editorial(arguments.output) else [])]
     if realized:
         from ...library.motion import PreparedSchedule
 
         audio = recording(arguments.audio, line.audio)
-        write_motions(realized, PreparedSchedule.of(performance), motion, audio, log)
+        moving = moves and moves(performed.analysis, options.affect)
+        write_motions(realized, PreparedSchedule.of(performance), motion, audio, log, moving=moving)
     _write(performance, options.form, arguments, log)
     log.warnings(performance.notices)
     if arguments.output != STANDARD:
@@ -47,15 +57,29 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     return 0
 
 
+def _movement(arguments: argparse.Namespace) -> Callable[[Analysis, AffectTrack | None], Moving] | None:
+    """What moves the body by the motion model, if one is asked for. Raises InputError `motion_model`, `usage`."""
+    if arguments.motion_model is None:
+        return None
+    if not arguments.realize:
+        raise InputError("usage", "--motion-model moves a body; say with --realize where its motion goes")
+    if arguments.physics:
+        raise InputError("usage", "--motion-model plays recorded motion; leave out --physics")
+    from ...library.motion_models import moving_by, read_motion_model, scenario_named
+
+    model, scenario = read_motion_model(arguments.motion_model), scenario_named(arguments.scenario)
+    return lambda analysis, affect: moving_by(model, analysis, affect, scenario)
+
+
 def _performed(
     line: Line, options: Options, reference: Sequence[str] | None, settings: Settings, log: Log
-) -> Performance:
+) -> PerformedLine:
     from ...library.performing import perform_line
     from ...models import Understudy  # imported late: arguments are checked before the models load
 
     with Understudy.load(settings) as understudy:
         options = replace(options, reference=speaker_reference(understudy.acoustic, reference, log))
-        return perform_line(understudy, line, options, log.stage).performance
+        return perform_line(understudy, line, options, log.stage)
 
 
 def _write(performance: Performance, form: BmlForm, arguments: argparse.Namespace, log: Log) -> None:

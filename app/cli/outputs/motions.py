@@ -19,7 +19,8 @@ from ..log import Log
 from .plot import require_plot
 
 if TYPE_CHECKING:
-    from ...library.motion import Decision, PreparedSchedule
+    from ...library.motion import Decision, PreparedSchedule, Realized, Realizer
+    from ...library.motion_models import Moving
 
 LARGEST_AVATAR_BYTES = 256 << 20
 
@@ -74,21 +75,21 @@ class MotionOptions:
 
 
 def write_motions(
-    names: Sequence[str], staged: PreparedSchedule, options: MotionOptions, audio: AudioFile | None, log: Log
+    names: Sequence[str],
+    staged: PreparedSchedule,
+    options: MotionOptions,
+    audio: AudioFile | None,
+    log: Log,
+    *,
+    moving: Moving | None = None,
 ) -> None:
-    """Realizes the schedule once and writes it to every name; decisions are logged. Files refer to the recording by its
-    path relative to them."""
-    from ...library.motion import AvatarOptions, realize_prepared, write_realized
+    """Realizes the schedule once, `moving` by a motion model if there is one, and writes it to every name; decisions
+    are logged. Files refer to the recording by its path relative to them."""
+    from ...library.motion import AvatarOptions, write_realized
 
     realizer = load_realizer()
     log.stage("realize")
-    realized = realize_prepared(
-        realizer,
-        staged,
-        frame_rate_hz=options.frame_rate_hz,
-        tail_s=options.tail_s,
-        physics=options.physics,
-    )
+    realized = _realized(realizer, staged, options, moving)
     log.warnings(realized.motion.notices[len(staged.notices) :])
     log.stage("export")
     wearer = AvatarOptions(options.skeleton, options.avatar)
@@ -97,6 +98,22 @@ def write_motions(
         write(name, write_realized(realized, realizer, format_of(name), wearer, files))
     if realized.motion.decisions:
         log.note("\n".join(_told(decision) for decision in realized.motion.decisions))
+
+
+def _realized(realizer: Realizer, staged: PreparedSchedule, options: MotionOptions, moving: Moving | None) -> Realized:
+    if moving is not None:
+        from ...library.motion_models import realize_moving
+
+        return realize_moving(realizer, staged, moving, frame_rate_hz=options.frame_rate_hz, tail_s=options.tail_s)
+    from ...library.motion import realize_prepared
+
+    return realize_prepared(
+        realizer,
+        staged,
+        frame_rate_hz=options.frame_rate_hz,
+        tail_s=options.tail_s,
+        physics=options.physics,
+    )
 
 
 def recording(name: str | None, content: bytes | None) -> AudioFile | None:

@@ -105,7 +105,7 @@ def test_what_is_proposed_is_an_annotation_to_be_named(tmp_path: Path) -> None:
     ("content", "told"),
     [
         (b"hello", "does not begin with HIERARCHY"),
-        (b"HIERARCHY ROOT Hips { OFFSET 0 0 0 CHANNELS 3 Zrotation Xrotation Yrotation }", "no frames"),
+        (b"HIERARCHY ROOT Hips { OFFSET 0 0 0 CHANNELS 3 Zrotation Xrotation Yrotation }", "no lines .Frames"),
         (
             b"HIERARCHY ROOT Hips { OFFSET 0 0 0 CHANNELS 1 Zrotation End Site { OFFSET 0 1 0 } } "
             b"MOTION Frames: 1 Frame Time: 0.1 0",

@@ -1,6 +1,6 @@
 """Unit selection: recorded motion units for a path of states, by joint, duration and affect cost (RTS §2.4, AHG §3.7).
 
-A unit is a clip of joint angles in one state. Dynamic programming over the segments of a path finds the sequence of
+A unit is a clip of motion in one state. Dynamic programming over the segments of a path finds the sequence of
 units with the lowest total cost; units are stretched to their segments, and the discontinuities at the joints decay.
 
 Costs, for segment l of state g_i and unit ε of that state:
@@ -21,7 +21,16 @@ import numpy as np
 
 from ..errors import InputError
 from ..model import FloatArray
-from .semi_markov import FRAME_S, IntArray, Segment
+from ..prosody_gestures.semi_markov import FRAME_S, IntArray, Segment
+from ..realizer.geometry.rotations import (
+    from_rotation_vector,
+    inverse,
+    multiply,
+    nearest_sign,
+    normalized,
+    to_rotation_vector,
+    with_continuous_signs,
+)
 
 SMOOTHING_S = 0.2
 """The time in which a discontinuity decays to a twentieth."""
@@ -29,15 +38,17 @@ SMOOTHING_S = 0.2
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Unit:
-    """A motion clip in one state: `angles` (frames × angles), and its mean activation, valence and dominance."""
+    """A motion clip in one state: local `rotations` (frames × joints × 4), the `angles` by which it is joined, of its
+    first and its last frame (2 × angles), and its mean activation, valence and dominance."""
 
     state: int
+    rotations: FloatArray
     angles: FloatArray
     affect: FloatArray
 
     @property
     def duration_s(self) -> float:
-        return len(self.angles) * FRAME_S
+        return len(self.rotations) * FRAME_S
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +75,7 @@ def paper_weights(alpha: float, betas: tuple[float, float, float] = (0.30, 0.35,
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Pool:
-    """The units of each state, with their boundary angles and durations as arrays."""
+    """The units of each state."""
 
     units: Mapping[int, Sequence[Unit]]
 
@@ -118,19 +129,27 @@ def _joints(before: Sequence[Unit], after: Sequence[Unit], weights: Weights) -> 
 
 
 def motion_of(path: Sequence[Segment], units: Sequence[Unit]) -> FloatArray:
-    """The angles of a path (frames × angles): units stretched to their segments; the discontinuity at each joint is
-    removed by an offset that decays exponentially."""
+    """The rotations of a path (frames × joints × 4): units stretched to their segments; the discontinuity at each joint
+    is removed by a turn that decays exponentially."""
     parts: list[FloatArray] = []
     for segment, unit in zip(path, units, strict=True):
-        angles = stretched(unit.angles, segment.frames)
-        if parts:
-            dying = np.exp(-3 * FRAME_S / SMOOTHING_S * np.arange(1, segment.frames + 1))
-            angles = angles + dying[:, None] * (parts[-1][-1] - angles[0])
-        parts.append(angles)
-    return np.concatenate(parts)
+        rotations = stretched(unit.rotations, segment.frames)
+        parts.append(led_over(parts[-1][-1], rotations) if parts else rotations)
+    return with_continuous_signs(np.concatenate(parts))
 
 
-def stretched(angles: FloatArray, frames: int) -> FloatArray:
-    """The angles resampled to another number of frames by linear interpolation."""
-    places = np.linspace(0, len(angles) - 1, frames)
-    return np.stack([np.interp(places, np.arange(len(angles)), column) for column in angles.T], axis=1)
+def led_over(before: FloatArray, rotations: FloatArray) -> FloatArray:
+    """The rotations (frames × joints × 4), turned so that they begin at `before` (joints × 4); the turn decays."""
+    apart = to_rotation_vector(multiply(before, inverse(rotations[0])))
+    dying = np.exp(-3 * FRAME_S / SMOOTHING_S * np.arange(1, len(rotations) + 1))
+    return multiply(from_rotation_vector(dying[:, None, None] * apart), rotations)
+
+
+def stretched(rotations: FloatArray, frames: int) -> FloatArray:
+    """The rotations resampled to another number of frames, between neighbours by normalized linear interpolation."""
+    places = np.linspace(0, len(rotations) - 1, frames)
+    first = np.minimum(places.astype(np.intp), max(len(rotations) - 2, 0))
+    after = np.minimum(first + 1, len(rotations) - 1)
+    share = (places - first)[:, None, None]
+    one, other = rotations[first], nearest_sign(rotations[after], rotations[first])
+    return normalized(one + share * (other - one))

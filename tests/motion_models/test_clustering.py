@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from understudy.model import FloatArray
-from understudy.prosody_gestures.clustering import STATES, cluster_correlation, fewest_clusters, learn_branches
+from understudy.motion_models.clustering import STATES, cluster_correlation, fewest_clusters, learn_branches
 from understudy.prosody_gestures.semi_markov import states_by_frame
 
 

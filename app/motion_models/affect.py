@@ -15,7 +15,7 @@ import numpy as np
 
 from ..errors import ServiceError
 from ..model import FloatArray
-from .prosody import VOICED
+from ..prosody_gestures.prosody import VOICED
 
 DIMENSIONS = ("activation", "valence", "dominance")
 WINDOW_FRAMES = 80

@@ -4,12 +4,13 @@ import numpy as np
 import pytest
 from sklearn.cross_decomposition import CCA
 
-from understudy.prosody_gestures.correlation import (
+from understudy.motion_models.correlation import (
     canonical_correlation,
     energy_difference,
     kinetic_energy,
     symmetric_divergence,
 )
+from understudy.realizer.geometry.rotations import from_rotation_vector
 
 
 def test_canonical_correlation_is_scikit_learns() -> None:
@@ -37,7 +38,9 @@ def test_divergence_is_symmetric_and_none_of_the_same() -> None:
 
 
 def test_kinetic_energy_of_a_steady_turn() -> None:
-    """Two angles that turn by 3 and 4 a frame of half a second: (6² + 8²) all the time."""
-    angles = np.outer(np.arange(5), [3.0, 4.0])
-    assert kinetic_energy(angles, 0.5).tolist() == [100.0] * 4
-    assert energy_difference(angles, 0 * angles, 0.5) == 100.0
+    """Two joints that turn by .3 and .4 rad a frame of half a second: (.6² + .8²) rad²/s² all the time."""
+    axes = np.zeros((5, 2, 3))
+    axes[:, 0, 0], axes[:, 1, 2] = 0.3 * np.arange(5), 0.4 * np.arange(5)
+    turning, still = from_rotation_vector(axes), from_rotation_vector(0 * axes)
+    assert kinetic_energy(turning, 0.5) == pytest.approx([1.0] * 4)
+    assert energy_difference(turning, still, 0.5) == pytest.approx(1.0)

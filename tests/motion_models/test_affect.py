@@ -7,7 +7,7 @@ import pytest
 
 from tests.prosody_gestures.test_prosody import spoken
 from understudy.errors import ServiceError
-from understudy.prosody_gestures.affect import DIMENSIONS, MEASURES, WINDOW_FRAMES, AffectModel, measures
+from understudy.motion_models.affect import DIMENSIONS, MEASURES, WINDOW_FRAMES, AffectModel, measures
 from understudy.prosody_gestures.prosody import VOICED, raw_frames
 from understudy.resources import resource_folder
 

@@ -7,8 +7,7 @@ import pytest
 
 from understudy.errors import InputError
 from understudy.model import FloatArray
-from understudy.prosody_gestures.semi_markov import FRAME_S, Segment
-from understudy.prosody_gestures.unit_selection import (
+from understudy.motion_models.unit_selection import (
     Pool,
     Unit,
     Weights,
@@ -18,14 +17,29 @@ from understudy.prosody_gestures.unit_selection import (
     stretched,
     thesis_weights,
 )
+from understudy.prosody_gestures.semi_markov import FRAME_S, Segment
+from understudy.realizer.geometry.rotations import from_rotation_vector, to_rotation_vector
 
 PATH = (Segment(0, 0, 10), Segment(1, 10, 20), Segment(0, 30, 5), Segment(1, 35, 12))
+
+
+STILL = np.tile([0.0, 0.0, 0.0, 1.0], (1, 1, 1))
+
+
+def unit(state: int, frames: int, angles: FloatArray, affect: FloatArray) -> Unit:
+    """A unit whose motion does not matter."""
+    return Unit(state, np.repeat(STILL, frames, axis=0), angles, affect)
+
+
+def turned(angle: float, frames: int) -> FloatArray:
+    """One joint, turned by so much all the time (frames × 1 × 4)."""
+    return np.tile(from_rotation_vector(np.array([[angle, 0.0, 0.0]])), (frames, 1, 1))
 
 
 def drawn_units(seed: int) -> list[Unit]:
     generator = np.random.default_rng(seed)
     return [
-        Unit(state, generator.normal(size=(int(generator.integers(4, 30)), 3)), generator.uniform(-1, 1, 3))
+        unit(state, int(generator.integers(4, 30)), generator.normal(size=(2, 3)), generator.uniform(-1, 1, 3))
         for state in (0, 0, 0, 1, 1, 1)
     ]
 
@@ -36,7 +50,7 @@ def cost(
     """The sum of a path's costs, by definition."""
     total = 0.0
     for segment, wanted, unit in zip(PATH, affects, units, strict=True):
-        total += duration * abs(len(unit.angles) - segment.frames) * FRAME_S
+        total += duration * abs(len(unit.rotations) - segment.frames) * FRAME_S
         total += affect * float(np.mean((unit.affect - wanted) ** 2))
     for one, other in pairwise(units):
         apart = one.angles[-1] - other.angles[0]
@@ -63,25 +77,27 @@ def test_no_other_units_cost_less(seed: int, weights: Weights, shares: tuple[flo
 
 
 def test_with_affect_the_unit_that_feels_alike_is_chosen() -> None:
-    glad, sad = (Unit(0, np.zeros((10, 3)), np.full(3, feeling)) for feeling in (0.8, -0.8))
+    glad, sad = (unit(0, 10, np.zeros((2, 3)), np.full(3, feeling)) for feeling in (0.8, -0.8))
     path, wanted = (Segment(0, 0, 10),), np.full((1, 3), -0.5)
     assert select(path, wanted, Pool.of([glad, sad]), paper_weights(1.0)) == [sad]
 
 
 def test_motion_has_no_jump_and_ends_where_its_unit_does() -> None:
-    """Two still units, a radian apart: nine tenths of the jump are left after the first frame, next to none at the
-    end."""
-    units = [Unit(0, np.zeros((4, 2)), np.zeros(3)), Unit(1, np.ones((7, 2)), np.zeros(3))]
+    """Two still units, a radian apart: the joint turns by less than .4 a frame, and is all there at the end."""
+    nowhere = np.zeros((2, 2))
+    units = [Unit(0, turned(0.0, 4), nowhere, np.zeros(3)), Unit(1, turned(1.0, 7), nowhere, np.zeros(3))]
     motion = motion_of((Segment(0, 0, 10), Segment(1, 10, 30)), units)
-    assert motion.shape == (40, 2)
-    assert np.abs(np.diff(motion, axis=0)).max() < 0.4
-    assert motion[-1] == pytest.approx([1, 1], abs=0.001)
+    assert motion.shape == (40, 1, 4)
+    angles = to_rotation_vector(motion)[:, 0, 0]
+    assert np.abs(np.diff(angles)).max() < 0.4
+    assert angles[-1] == pytest.approx(1.0, abs=0.001)
 
 
 def test_stretching_keeps_ends() -> None:
-    course = np.array([[0.0, 5.0], [1.0, 3.0], [2.0, 1.0]])
-    assert stretched(course, 5)[:, 0] == pytest.approx([0, 0.5, 1, 1.5, 2])
-    assert stretched(course, 1).tolist() == [[0.0, 5.0]]
+    course = np.concatenate([turned(angle, 1) for angle in (0.0, 0.1, 0.2)])
+    assert to_rotation_vector(stretched(course, 5))[:, 0, 0] == pytest.approx([0, 0.05, 0.1, 0.15, 0.2], abs=1e-4)
+    assert stretched(course, 1) == pytest.approx(turned(0.0, 1))
+    assert stretched(course[:1], 3) == pytest.approx(turned(0.0, 3))
 
 
 def test_a_state_without_units_is_named() -> None:

@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..model import FloatArray
+from ..prosody_gestures.mixtures import drawn_apart
+from ..prosody_gestures.semi_markov import IntArray, Segment
 from .correlation import canonical_correlation
-from .mixtures import drawn_apart
-from .semi_markov import IntArray, Segment
 
 STATES = 10
 """N_g: the states of a branch, and so the minimum length of a phrase in frames (AHG §3.1)."""

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ..model import FloatArray
+from ..realizer.geometry.rotations import inverse, multiply, to_rotation_vector
 
 LEAST_SHARE = 1e-6
 """Directions of a stream with a smaller share of its largest deviation are ignored."""
@@ -35,12 +36,14 @@ def symmetric_divergence(one: FloatArray, other: FloatArray) -> float:
     return float(((shares[0] - shares[1]) * np.log(shares[0] / shares[1])).sum())
 
 
-def kinetic_energy(angles: FloatArray, frame_s: float) -> FloatArray:
-    """The sum of squared angular velocities of each frame except the first (AHG §4.4); `angles` is frames × angles."""
-    energy: FloatArray = (np.diff(angles, axis=0) ** 2).sum(axis=1) / frame_s**2
+def kinetic_energy(rotations: FloatArray, frame_s: float) -> FloatArray:
+    """The sum over joints of squared angular velocities in rad²/s², of each frame but the first (AHG §4.4), of local
+    rotations (frames × joints × 4)."""
+    turned = to_rotation_vector(multiply(inverse(rotations[:-1]), rotations[1:]))
+    energy: FloatArray = (turned**2).sum(axis=(1, 2)) / frame_s**2
     return energy
 
 
 def energy_difference(one: FloatArray, other: FloatArray, frame_s: float) -> float:
-    """The mean difference of the kinetic energies of two streams of angles, frame by frame (AHG Fig. 4)."""
+    """The mean difference of the kinetic energies of two motions, frame by frame, in rad²/s² (AHG Fig. 4)."""
     return float(np.abs(kinetic_energy(one, frame_s) - kinetic_energy(other, frame_s)).mean())

@@ -1,0 +1,145 @@
+"""Motion from data: models learnt from recordings with motion, and motion made by them (docs/motion-models.md)."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from ..acoustic.stage import audio_limits
+from ..errors import InputError, shown
+from ..model import AffectTrack, Analysis
+from ..motion_models.affect import AffectModel
+from ..motion_models.model import SCENARIOS, MotionModel, Scenario, is_model
+from ..motion_models.pairs import SOUNDS, Pair, PairFile, Voice, heard_voice, read_pair
+from ..motion_models.performing import laid_over, move, replaced_behaviors
+from ..motion_models.training import Learning, learn
+from ..progress import Progress, no_progress
+from ..prosody_gestures.trellis import EVERYTHING, Search
+from ..realization import PreparedSchedule, Realized, Realizer, realize_prepared
+from ..resources import resource_folder
+from ..schemas.affect import read_affect_track
+from ..settings import Settings, read_settings
+
+__all__ = [
+    "Learning",
+    "MotionModel",
+    "Moving",
+    "Pair",
+    "moving_by",
+    "read_motion_model",
+    "read_pairs",
+    "realize_moving",
+    "scenario_named",
+    "train_motion_model",
+]
+
+AFFECT = ".affect.csv"
+MOST_MISTAKES = 20
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Moving:
+    """What moves a body by a model: the voice, the scenario (`SCENARIOS`), and how the best path is searched."""
+
+    model: MotionModel
+    voice: Voice
+    scenario: Scenario
+    search: Search = EVERYTHING
+
+
+def train_motion_model(
+    pairs: Sequence[Pair], *, kinds: int | None = None, seed: int = 0, progress: Progress = no_progress
+) -> MotionModel:
+    """The model of these recordings (`read_pairs`): phrases segmented from their motion, clustered into `kinds` (by
+    default as many as keep the correlation with affect, AHG §4.1), and when a voice brings each.
+
+    Raises InputError `pairs_wrong` where there is too little motion.
+    """
+    return learn(pairs, Learning(kinds, seed), progress).model
+
+
+def read_pairs(
+    folder: Path, realizer: Realizer, settings: Settings | None = None, progress: Progress = no_progress
+) -> list[Pair]:
+    """All recordings with motion in a folder, by name. Raises InputError `pairs_wrong` with every file that cannot be
+    used, and why."""
+    files, mistakes = _pair_files(folder)
+    limits, estimator, pairs = audio_limits(settings or read_settings()), _estimator(), list[Pair]()
+    for number, file in enumerate(files, start=1):
+        progress(f"read {number}/{len(files)}")
+        try:
+            pairs.append(read_pair(file, realizer, estimator, limits))
+        except InputError as error:
+            mistakes.append(error.message)
+    if mistakes:
+        more = f"; and {len(mistakes) - MOST_MISTAKES} more" if len(mistakes) > MOST_MISTAKES else ""
+        raise InputError("pairs_wrong", "; ".join(mistakes[:MOST_MISTAKES]) + more, field="folder")
+    return pairs
+
+
+def _pair_files(folder: Path) -> tuple[list[PairFile], list[str]]:
+    """The recordings of a folder, and what is wrong with others."""
+    if not folder.is_dir():
+        raise InputError("pairs_wrong", f"{folder}: no folder", field="folder")
+    files, mistakes = list[PairFile](), list[str]()
+    for motion in sorted(path for path in folder.iterdir() if path.suffix in (".bvh", ".npz") and not is_model(path)):
+        try:
+            files.append(_pair_file(motion))
+        except InputError as error:
+            mistakes.append(error.message)
+    if not files and not mistakes:
+        has = ", ".join(path.name for path in sorted(folder.iterdir())[:5]) or "nothing"
+        wanted = "give NAME.bvh with NAME.wav beside it, or NAME.npz (docs/motion-models.md)"
+        raise InputError("pairs_wrong", f"{folder}: no recordings with motion, but {has}; {wanted}", field="folder")
+    return files, mistakes
+
+
+def _pair_file(motion: Path) -> PairFile:
+    affect = motion.with_suffix(AFFECT)
+    track = read_affect_track(affect.read_bytes(), str(affect)) if affect.exists() else None
+    if motion.suffix == ".npz":
+        return PairFile(motion, affect=track)
+    sound = next((path for end in SOUNDS if (path := motion.with_suffix(end)).exists()), None)
+    if sound is None:
+        raise InputError("pairs_wrong", f"{motion}: no sound beside it; give {motion.stem}{SOUNDS[0]}")
+    return PairFile(motion, sound, track)
+
+
+def read_motion_model(path: str) -> MotionModel:
+    """The model in a file. Raises InputError `motion_model`."""
+    try:
+        return MotionModel.load(Path(path))
+    except OSError as error:
+        message = f"{path}: cannot be read: {error.strerror}"
+        raise InputError("motion_model", message, field="motion_model") from None
+
+
+def scenario_named(name: str) -> Scenario:
+    """Raises InputError `value_wrong`."""
+    if name not in SCENARIOS:
+        message = f"scenario: {shown(name)}; give one of {', '.join(SCENARIOS)}"
+        raise InputError("value_wrong", message, field="scenario")
+    return SCENARIOS[name]
+
+
+def moving_by(
+    model: MotionModel, analysis: Analysis, affect: AffectTrack | None, scenario: Scenario, search: Search = EVERYTHING
+) -> Moving:
+    """The motion of an analysed recording by a model; `affect` replaces the one estimated from the voice."""
+    assert analysis.heard is not None, "a recording is heard"
+    contours = analysis.heard.contours
+    return Moving(model, heard_voice(contours.energy_db, contours.f0_hz, affect, _estimator()), scenario, search)
+
+
+def realize_moving(
+    realizer: Realizer, prepared: PreparedSchedule, moving: Moving, *, frame_rate_hz: int = 60, tail_s: float = 0.0
+) -> Realized:
+    """The motion of a schedule whose arms, and whatever else the model has learnt, move as in its recordings."""
+    schedule, told = replaced_behaviors(moving.model, prepared.schedule)
+    usual = realize_prepared(realizer, replace(prepared, schedule=schedule), frame_rate_hz=frame_rate_hz, tail_s=tail_s)
+    moved = move(moving.model, moving.voice, moving.scenario, moving.search)
+    motion = laid_over(usual.motion, moved, realizer.performer(schedule.character).skeleton)
+    return Realized(schedule, replace(motion, decisions=(*motion.decisions, *told)))
+
+
+def _estimator() -> AffectModel:
+    return AffectModel.load(resource_folder("models") / "prosody_gestures" / "affect.npz")

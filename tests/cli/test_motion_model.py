@@ -1,0 +1,135 @@
+"""`understudy motion-model` and what performs by its models, on recordings with motion that are made here."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.motion_models.pairs import write_bvh, write_points
+from understudy.bvh import Bvh, read_bvh
+from understudy.cli.main import main
+from understudy.motion_models.model import MotionModel
+
+Captured = pytest.CaptureFixture[str]
+AUDIO, TEXT = "examples/example.flac", "examples/example.txt"
+
+
+@pytest.fixture(scope="module")
+def pairs(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Three recordings of BVH and sound, of which one has its affect annotated."""
+    folder = tmp_path_factory.mktemp("pairs")
+    for seed in range(3):
+        write_bvh(folder, f"a_{seed}_line", seed)
+    track = "time_s,activation,valence,dominance\n0,-1,-1,-1\n12,1,1,1\n"
+    (folder / "a_1_line.affect.csv").write_text(track)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def model(pairs: Path) -> Path:
+    assert main(["motion-model", "train", str(pairs), "-o", str(pairs / "model.npz"), "--kinds", "4", "--quiet"]) == 0
+    return pairs / "model.npz"
+
+
+def motion(path: Path) -> Bvh:
+    return read_bvh(path.read_bytes(), path.name)
+
+
+def test_a_folder_teaches_a_model(pairs: Path, model: Path, capsys: Captured) -> None:
+    """The same seed gives the same bytes; annotated affect is what units have."""
+    again = pairs / "again.npz"
+    assert main(["motion-model", "train", str(pairs), "-o", str(again), "--kinds", "4"]) == 0
+    assert "4 kinds of movements of 3 recordings of 3 sessions, 0.6 min, seed 0" in capsys.readouterr().err
+    assert again.read_bytes() == model.read_bytes()
+    learnt = MotionModel.load(model)
+    assert sum(len(unit.rotations) for unit in learnt.units) == pytest.approx(3 * 12 / 0.025, abs=12)
+    feelings = np.array([unit.affect for unit in learnt.units])
+    assert feelings.min() < -0.8
+    assert feelings.max() > 0.8
+    assert np.ptp(feelings, axis=1).min() < 1e-5, "annotated alike in all three dimensions"
+
+
+def test_a_line_is_performed_by_its_units(model: Path, tmp_path: Path, capsys: Captured) -> None:
+    """Arms move as in the recordings, where the right one always hangs; legs do as usual."""
+    out, usual = tmp_path / "by_model.bvh", tmp_path / "usual.bvh"
+    line = ["perform", AUDIO, "--text-file", TEXT, "-o", str(tmp_path / "x.bml"), "--skeleton", "vrm"]
+    assert main([*line, "--realize", str(out), "--motion-model", str(model)]) == 0
+    assert "replaced: the motion model moves that part of the body" in capsys.readouterr().err
+    assert main([*line, "--realize", str(usual), "--quiet"]) == 0
+    moved, ordinary = motion(out), motion(usual)
+    names = [joint.name for joint in moved.joints]
+    middle = slice(60, -60)
+    hanging = moved.rotations(names.index("rightUpperArm"))[middle, :, 0]
+    assert hanging == pytest.approx(np.tile([0, 1, 0], (len(hanging), 1)), abs=0.02), "its x axis points up"
+    forearm = moved.rotations(names.index("leftLowerArm"))[middle]
+    assert np.ptp(forearm[:, 0, 0]) > 0.3, "the left forearm bends"
+    leg = names.index("leftUpperLeg")
+    assert moved.rotations(leg) == pytest.approx(ordinary.rotations(leg), abs=0.2), "but for the weight of gestures"
+    assert len(moved.values) == len(ordinary.values)
+
+
+@pytest.mark.parametrize("scenario", ["S2", "S3", "S6", "RTS"])
+def test_scenarios_can_be_chosen(model: Path, tmp_path: Path, scenario: str) -> None:
+    out, other = tmp_path / "one.bvh", tmp_path / "other.bvh"
+    line = ["perform", AUDIO, "--text-file", TEXT, "-o", str(tmp_path / "x.bml"), "--quiet"]
+    line += ["--motion-model", str(model), "--affect", "1,1,1"]
+    assert main([*line, "--realize", str(out), "--scenario", scenario]) == 0
+    assert main([*line, "--realize", str(other), "--scenario", scenario]) == 0
+    assert out.read_bytes() == other.read_bytes()
+
+
+def test_arrays_of_points_teach_arms(tmp_path: Path, capsys: Captured) -> None:
+    for seed in range(2):
+        write_points(tmp_path, f"a_b_{seed}", seed)
+    assert main(["motion-model", "train", str(tmp_path), "-o", str(tmp_path / "model")]) == 0
+    assert "units that move 4 joints" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("wrong", "told"),
+    [
+        ("nothing", "no recordings with motion, but notes.txt; give NAME.bvh with NAME.wav beside it"),
+        ("silent", "a_0.bvh: no sound beside it; give a_0.wav"),
+        ("broken", "a_0.bvh: not a BVH that can be read: it does not begin with HIERARCHY"),
+        ("arrays", "b.npz: lacks f0_hz, envelope, joints, body, body_time_s"),
+        ("affect", "a_0.affect.csv: the first line must be time_s,activation,valence,dominance"),
+        ("short", "1.0 s of sound with motion; 2 s at least"),
+        ("kinds", "are too little for 150 kinds: give 112.5 s or fewer --kinds"),
+    ],
+)
+def test_what_is_wrong_with_a_folder_is_told(tmp_path: Path, capsys: Captured, wrong: str, told: str) -> None:
+    (tmp_path / "notes.txt").write_text("not motion")
+    if wrong != "nothing":
+        write_bvh(tmp_path, "a_0", seconds=1.0 if wrong == "short" else 4.0)
+    match wrong:
+        case "silent":
+            (tmp_path / "a_0.wav").unlink()
+        case "broken":
+            (tmp_path / "a_0.bvh").write_text("hello")
+        case "arrays":
+            np.savez(tmp_path / "b.npz", other=np.zeros(3))
+        case "affect":
+            (tmp_path / "a_0.affect.csv").write_text("time,feeling\n")
+    model = tmp_path / "model.npz"
+    kinds = ["--kinds", "150"] if wrong == "kinds" else []
+    assert main(["motion-model", "train", str(tmp_path), "-o", str(model), *kinds]) == 2
+    assert told in capsys.readouterr().err
+    assert not model.exists()
+
+
+@pytest.mark.parametrize(
+    ("options", "told"),
+    [
+        ([], "say with --realize where its motion goes"),
+        (["--realize", "x.bvh", "--scenario", "S7"], "scenario: 'S7'; give one of S1, S2"),
+        (["--realize", "x.bvh", "--motion-model", TEXT], "no motion model, which understudy motion-model train writes"),
+        (["--realize", "x.bvh", "--motion-model", "gone.npz"], "gone.npz: cannot be read"),
+    ],
+)
+def test_what_cannot_move_is_told(model: Path, tmp_path: Path, capsys: Captured, options: list[str], told: str) -> None:
+    given = [] if "--motion-model" in options else ["--motion-model", str(model)]
+    options = [str(tmp_path / "x.bvh") if each == "x.bvh" else each for each in options]
+    line = ["perform", AUDIO, "--text-file", TEXT, "-o", str(tmp_path / "x.bml"), *given, *options]
+    assert main(line) == 2
+    assert told in capsys.readouterr().err
+    assert not (tmp_path / "x.bml").exists()

@@ -1,1 +1,0 @@
-"""Reading others' recordings with motion, and learning from them."""
