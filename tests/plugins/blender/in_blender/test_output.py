@@ -14,8 +14,10 @@ FRAMES = (20, 60, 120)
 
 
 def keys_of(armature: Bpy) -> int:
-    """How many keys a curve of the active action has at most."""
+    """How many keys a curve of the active action has at most. Actions have layers since Blender 4.4."""
     action = armature.animation_data.action
+    if not hasattr(action, "layers"):
+        return max(len(curve.keyframe_points) for curve in action.fcurves)
     bags = [bag for layer in action.layers for strip in layer.strips for bag in strip.channelbags]
     return max(len(curve.keyframe_points) for bag in bags for curve in bag.fcurves)
 
