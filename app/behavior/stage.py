@@ -61,8 +61,9 @@ from .speaker_profiles.habits import as_listener, as_speaker, listening_postures
 from .speech.visemes import visemes
 from .timing.manner import with_manner
 
-QUANTITY = MappingProxyType({Level.LOW: 0.8, Level.MEDIUM: 1.0, Level.HIGH: 1.25})
-"""How the amount of movement is scaled at each level of agitation (paper §1)."""
+QUANTITY = MappingProxyType({Level.LOW: 0.85, Level.MEDIUM: 1.0, Level.HIGH: 1.3})
+"""How many gestures are made at each level of agitation, relative to medium (paper §1). Heads and faces are not fewer
+where a voice is calm: directors name as many of them."""
 
 PLAIN_EMPHASIS = ("beat",)
 """The gesture families for an important word of which nothing else is known."""
@@ -157,10 +158,16 @@ def performer_of(
 def _player(
     models: BehaviorStage, character: Character, line: Understood, options: Options, demands: Sequence[Demand]
 ) -> Player:
-    """The character as the choice sees it. How much it does depends on the speaker's agitation too (paper §1)."""
-    quantity = QUANTITY[line.utterance.level] * character.liveliness
-    bans = tuple(banned_by(demands, models.families, character.entries))
-    return Player(models.families, character.entries, options.seed, quantity, bans, character.stands_for)
+    """The character as the choice sees it. How much its hands do depends on the speaker's agitation too (paper §1)."""
+    return Player(
+        models.families,
+        character.entries,
+        options.seed,
+        quantity=character.liveliness,
+        by_agitation=QUANTITY[line.utterance.level],
+        bans=tuple(banned_by(demands, models.families, character.entries)),
+        stands_for=character.stands_for,
+    )
 
 
 def meanings_at(performer: Performer, words: Collection[int]) -> Mapping[int, tuple[str, ...]]:

@@ -26,6 +26,7 @@ NEAR = log(4)
 
 _PLANNED = frozenset({Channel.GESTURE, Channel.HEAD, Channel.FACE})
 _OFFERED = ".offered"
+_UNWEIGHED = "of no kind that is weighed (lexicon/acting/families.yaml)"
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,9 +170,12 @@ def _told(candidate: _Candidate, shown: _Shown, near: float) -> Behavior | None:
     if weighed.worth < weighed.enough - near:
         return None
     if winner is None:
-        why = f"worth too little to be made there ({weighed.worth - weighed.enough:+.1f} in log-odds)"
+        below = weighed.worth - weighed.enough
+        why = f"worth too little to be made there ({below:+.1f} in log-odds)" if below > -inf else _UNWEIGHED
         return replace(behavior, limit=PRICE, reason=why + _also(candidate))
-    why = f"{winner.lexeme} has its place; this is worth {weighed.worth - weighed.enough:+.1f} in log-odds beside it"
+    beside = weighed.worth - weighed.enough
+    worth = f"is worth {beside:+.1f} in log-odds beside it" if beside > -inf else f"is {_UNWEIGHED}"
+    why = f"{winner.lexeme} has its place; this {worth}"
     return replace(behavior, lost_to=winner.id, reason=why + _also(candidate))
 
 

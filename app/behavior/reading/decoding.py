@@ -7,8 +7,8 @@ crowded.
 """
 
 from bisect import bisect_right
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -32,10 +32,17 @@ PRECISE = 0.15
 MOST_KINDS = 2
 """The most head movements, or faces, in one stretch."""
 
+DONE_ONCE = frozenset(("nod", "shake", "toss"))
+"""The head movements that are over when they are made; the others, and all faces, are held."""
+
+MOST_HELD = 16
+"""The most words over which one is held: some five seconds."""
+
 MOUTH = frozenset(("smile", "sad", "lips_pressed", "disgust"))
 """The kinds of face made with the mouth; the others are made with brows and lids."""
 
 _SLACK_S = 1e-6
+_SENTENCE_ENDS = ".!?…"
 
 _CONTRARY = (
     frozenset(("nod", "shake")),
@@ -50,12 +57,14 @@ _CONTRARY = (
 
 @dataclass(frozen=True, slots=True)
 class Span:
-    """A kind of movement over words `first` to `last`, and the probability that directors want it there."""
+    """A kind of movement over words `first` to `last`, the probability that directors want it there, and the word
+    `stroke` on which they most likely do."""
 
     kind: str
     first: int
     last: int
     likely: float
+    stroke: int
 
 
 def gains(worth: SingleArray, at_word: SingleArray, stroke: SingleArray) -> SingleArray:
@@ -106,6 +115,29 @@ def spans_of(
         yield from _one_after_another([(kinds[each], part[:, each]) for each in taken], first, last)
 
 
+def held(spans: Iterable[Span], ending: Collection[int]) -> Iterator[Span]:
+    """The spans in order, those joined that follow each other with the same kind of movement or face within a sentence:
+    a head that is tilted over one phrase of a question stays so over the next. `ending` are the words that end
+    sentences; the stroke of a joined span is that of its first part."""
+    going_on: dict[str, Span] = {}
+    for span in sorted(spans, key=lambda each: (each.first, each.last, each.kind)):
+        before = going_on.get(span.kind)
+        if before and _goes_on(before, span, ending):
+            likely = max(before.likely, span.likely)
+            going_on[span.kind] = replace(before, last=span.last, likely=likely)
+            continue
+        if before:
+            yield before
+        going_on[span.kind] = span
+    yield from going_on.values()
+
+
+def _goes_on(before: Span, span: Span, ending: Collection[int]) -> bool:
+    """Whether a span is the continuation of the one before it."""
+    follows = span.first == before.last + 1 and before.last not in ending
+    return follows and span.kind not in DONE_ONCE and span.last - before.first < MOST_HELD
+
+
 def stretch_level(likely: SingleArray) -> SingleArray:
     """The probability of each kind over a stretch (W, K): halfway between the mean and the maximum of its words."""
     return np.asarray(0.5 * (likely.mean(axis=0) + likely.max(axis=0)), np.float32)
@@ -117,8 +149,8 @@ def stretches_of(texts: Sequence[str]) -> list[tuple[int, int]]:
     stretches: list[tuple[int, int]] = []
     first = 0
     for word, text in enumerate(texts):
-        mark = text.rstrip("'\"”’)")[-1:]
-        ends = word == len(texts) - 1 or mark in ".!?…" or (mark in ",;:—–-" and word - first >= 2)
+        mark = _mark(text)
+        ends = word == len(texts) - 1 or mark in _SENTENCE_ENDS or (mark in ",;:—–-" and word - first >= 2)
         if not ends or not text:
             continue
         while word - first >= 8:
@@ -128,6 +160,16 @@ def stretches_of(texts: Sequence[str]) -> list[tuple[int, int]]:
         stretches.append((first, word))
         first = word + 1
     return stretches
+
+
+def sentence_ends(texts: Sequence[str]) -> frozenset[int]:
+    """The words that end sentences, by their marks."""
+    return frozenset(word for word, text in enumerate(texts) if text and _mark(text) in _SENTENCE_ENDS)
+
+
+def _mark(text: str) -> str:
+    """The last character of a word as written, without closing quotes and brackets."""
+    return text.rstrip("'\"”’)")[-1:]
 
 
 def _contrary(one: str, other: str) -> bool:
@@ -145,7 +187,8 @@ def _one_after_another(taken: Sequence[tuple[str, SingleArray]], first: int, las
     else:
         parts = [(first, last)] * min(len(taken), 1)
     for (kind, likely), (begin, end) in zip(taken, parts, strict=False):
-        yield Span(kind, begin, end, float(likely.max()))
+        stroke = begin + int(likely[begin - first : end - first + 1].argmax())
+        yield Span(kind, begin, end, float(likely.max()), stroke)
 
 
 def _best_apart(values: Sequence[float], times_s: Sequence[float]) -> list[int]:

@@ -2,15 +2,17 @@
 
 Two neighbouring phrases with most of their words in common are one idea in two parts. Where both name the same two
 things in the other order, each thing has a side, and all four mentions are placed; where they differ in one place, what
-differs is placed left and right.
+differs is placed left and right if the reading finds a contrast there too: much that is said twice is no contrast but
+insistence or a list.
 """
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from ...model import Parse, Token, Utterance
-from .contrasts import LEFT, RIGHT, Ground, PlacedStroke
+from ...model import Parse, SingleArray, Token, Utterance
+from .contrasts import LEAST_WORTH, LEFT, RIGHT, Ground, PlacedStroke
+from .decoding import NEAR
 
 PARALLEL = 3.0
 """The log-odds of a place in parallel phrases."""
@@ -45,14 +47,15 @@ class _Phrase:
         }
 
 
-def parallel_strokes(utterance: Utterance, ground: Ground) -> Iterator[PlacedStroke]:
-    """The strokes of parallel phrases, each side where it belongs; none that would be too close in time."""
+def parallel_strokes(utterance: Utterance, ground: Ground, contrast: SingleArray) -> Iterator[PlacedStroke]:
+    """The strokes of parallel phrases, each side where it belongs; none that would be too close in time. `contrast`
+    (W,) is the worth of a contrast on each word."""
     taken: list[int] = []
     for one, other in pairwise(_phrases(utterance.parse, [word.text for word in utterance.words])):
         shared = one.lemmas & other.lemmas
         if len(shared) < LEAST_SHARED or len(shared) < LEAST_OVERLAP * len(one.lemmas | other.lemmas):
             continue
-        for stroke in (*_crossed(one, other),) or (*_differing(one, other),):
+        for stroke in (*_crossed(one, other),) or (*_differing(one, other, contrast),):
             if stroke.word not in ground.still and all(ground.apart(stroke.word, word) for word in taken):
                 taken.append(stroke.word)
                 yield stroke
@@ -79,10 +82,12 @@ def _crossed(one: _Phrase, other: _Phrase) -> Iterator[PlacedStroke]:
             return
 
 
-def _differing(one: _Phrase, other: _Phrase) -> Iterator[PlacedStroke]:
-    """What the first has in the place of what the second has."""
+def _differing(one: _Phrase, other: _Phrase, contrast: SingleArray) -> Iterator[PlacedStroke]:
+    """What the first has in the place of what the second has, if either is read as one side of a contrast."""
     left, right = _own(one, other), _own(other, one)
-    if left is not None and right is not None:
+    if left is None or right is None:
+        return
+    if max(contrast[max(0, word - NEAR) : word + NEAR + 1].max() for word in (left, right)) >= LEAST_WORTH:
         yield PlacedStroke(left, LEFT, right, PARALLEL)
         yield PlacedStroke(right, RIGHT, left, PARALLEL)
 

@@ -22,7 +22,18 @@ from ..mimes.table import MimeTable
 from .authored_weights import TermNames, load_weights
 from .choice_model import ChoiceModel, log_odds_of, worth_of
 from .contrasts import CONTRAST, Ground, PlacedStroke, placed_strokes, with_placed
-from .decoding import NEAR, USUAL_WORD_S, gains, spans_of, spread, stretches_of, strokes, usual_times_s
+from .decoding import (
+    NEAR,
+    USUAL_WORD_S,
+    gains,
+    held,
+    sentence_ends,
+    spans_of,
+    spread,
+    stretches_of,
+    strokes,
+    usual_times_s,
+)
 from .delivery import Delivery
 from .encoder import Encoder, Reading
 from .families import Families, FamilyBehavior, merged
@@ -50,7 +61,7 @@ held-out lines (`python -m training.acting.constants`)."""
 QUANTITY_WEIGHT = 0.5
 """How much a gesture's price falls as the quantity doubles, and rises as it halves, divided by ln 2."""
 
-PACE_WEIGHT = 1.0
+PACE_WEIGHT = 0.5
 """How much the quantity of a word follows its time: slow talk has more gestures a word, and as many a second."""
 
 SLOWEST, FASTEST = 2.0, 0.6
@@ -151,18 +162,19 @@ def plan(planner: Planner, line: Understood, player: Player, *, still: Sequence[
     reading = planner.encoder.read([word.text for word in utterance.words], Delivery.of(utterance))
     worths = _worths(planner, reading, line, player)
     ground = Ground(times_s_of(utterance), _gains(planner, reading, worths), still)
-    quantity = player.quantity * pace_of(utterance) ** PACE_WEIGHT
-    price = planner.choice.price - QUANTITY_WEIGHT * log(quantity)
+    quantity = player.quantity * player.by_agitation
+    price = planner.choice.price - QUANTITY_WEIGHT * log(quantity * pace_of(utterance) ** PACE_WEIGHT)
     taken = strokes(ground.gain[:, None], price, ground.times_s, still=still)
-    placed = {each.word: each for each in parallel_strokes(utterance, ground)} if player.quantity > SPARING else {}
-    placed = placed or _placed(planner, worths, line.functions, taken, ground)
+    contrast = worths.family[:, planner.choice.families.index(CONTRAST)]
+    parallel = parallel_strokes(utterance, ground, contrast) if quantity > SPARING else ()
+    placed = {each.word: each for each in parallel} or _placed(contrast, line.functions, taken, ground)
     taken = with_placed(taken, placed.values(), ground)
     worths = after_what_was_shown(worths, [word for word in taken if word not in placed], ground.times_s)
     kinds = {each.channel: each for each in _heads_and_faces(planner, reading, line, worths.terms, player)}
-    stretches = stretches_of([word.text for word in utterance.words])
+    texts = [word.text for word in utterance.words]
     moments = chain(
         (_in_place(moment, placed) for moment in _gestures(worths, utterance, taken, ground)),
-        *(_spans(each, stretches) for each in kinds.values()),
+        *(_spans(each, texts) for each in kinds.values()),
     )
     in_order = sorted(moments, key=lambda moment: (moment.stroke, moment.channel, moment.first))
     return Plan(tuple(in_order), worths, price, kinds)
@@ -338,13 +350,13 @@ def _best(worth: SingleArray, first: int | None = None) -> list[int]:
 
 
 def _placed(
-    planner: Planner, worths: LineWorths, functions: Sequence[Function], taken: Sequence[int], ground: Ground
+    contrast: SingleArray, functions: Sequence[Function], taken: Sequence[int], ground: Ground
 ) -> dict[int, PlacedStroke]:
-    """The strokes, by word, for the two sides of a contrast, where a stroke would fall near either."""
-    worth = worths.family[:, planner.choice.families.index(CONTRAST)]
-    near = [word for word in range(len(worth)) if any(abs(word - stroke) <= NEAR for stroke in taken)]
-    reached = np.zeros_like(worth)
-    reached[near] = worth[near]
+    """The strokes, by word, for the two sides of a contrast, of the worth `contrast` (W,), where a stroke would fall
+    near either."""
+    near = [word for word in range(len(contrast)) if any(abs(word - stroke) <= NEAR for stroke in taken)]
+    reached = np.zeros_like(contrast)
+    reached[near] = contrast[near]
     return {each.word: each for each in placed_strokes(functions, reached, ground)}
 
 
@@ -393,21 +405,20 @@ def _phrase_about(utterance: Utterance, stroke: int, after: int, before: int) ->
     return max(first, after + 1), min(last, before - 1)
 
 
-def _spans(worths: KindWorths, stretches: Sequence[tuple[int, int]]) -> Iterator[Moment]:
+def _spans(worths: KindWorths, texts: Sequence[str]) -> Iterator[Moment]:
     """Head movements or faces; the stroke of each falls on its likeliest word."""
-    for span in spans_of(worths.kinds, worths.likely, stretches, worths.thresholds):
-        column = worths.likely[:, worths.kinds.index(span.kind)]
-        stroke = span.first + int(column[span.first : span.last + 1].argmax())
+    spans = spans_of(worths.kinds, worths.likely, stretches_of(texts), worths.thresholds)
+    for span in held(spans, sentence_ends(texts)):
         yield Moment(
             id=f"moment.{worths.channel}.{span.kind}.{span.first}",
             channel=worths.channel,
             first=span.first,
             last=span.last,
-            stroke=stroke,
+            stroke=span.stroke,
             families=(span.kind,),
             importance=round(span.likely, 3),
             shares=(round(span.likely, 3),),
-            terms=worths.parts(span.kind, stroke),
+            terms=worths.parts(span.kind, span.stroke),
         )
 
 

@@ -30,12 +30,14 @@ def banned(bans: Iterable[Ban], name: str, first: int, last: int) -> Ban | None:
 @dataclass(frozen=True, slots=True)
 class Player:
     """The families of behaviours, the character's table by name, the seed of the take, how much is played (1 is as much
-    as directors want, 0 nothing), what is forbidden where, and the lexemes that some behaviours stand for."""
+    as directors want, 0 nothing) and by how much agitation multiplies the gestures of that, what is forbidden where,
+    and the lexemes that some behaviours stand for."""
 
     families: Families
     behaviors: Mapping[str, Playable]
     seed: int = 0
     quantity: float = 1.0
+    by_agitation: float = 1.0
     bans: tuple[Ban, ...] = ()
     stands_for: Mapping[str, str] = field(default_factory=dict)
 

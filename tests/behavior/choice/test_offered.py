@@ -57,6 +57,7 @@ def test_planned_movements_name_what_decided_them_largest_first(understudy: Unde
 def test_a_movement_that_is_offered_several_times_for_an_idea_is_told_once(understudy: Understudy) -> None:
     behaviors = perform_behaviors(understudy.behavior, spoken(understudy, LINE), Options(), near=inf)
     offered = [each for each in behaviors.performance.behaviors if is_offered(each)]
+    assert not any("inf" in (each.reason or "") for each in offered)
     for one, other in combinations(offered, 2):
         same = (one.kind, one.lexeme) == (other.kind, other.lexeme)
         assert not same or one.last < other.first or other.last < one.first

@@ -1,3 +1,4 @@
+from dataclasses import replace
 from itertools import combinations, pairwise
 
 import numpy as np
@@ -6,11 +7,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from understudy.behavior.reading.decoding import (
+    MOST_HELD,
     PLACE,
     PRECISE,
     STROKES_APART_S,
     Span,
     gains,
+    held,
     spans_of,
     spread,
     stretches_of,
@@ -114,3 +117,20 @@ def test_two_head_movements_come_one_after_the_other() -> None:
 def test_a_mouth_and_brows_go_together() -> None:
     made = spans(("smile", "brows_up"), (0.9, 0.8), (0.9, 0.8))
     assert {(each.kind, each.first, each.last) for each in made} == {("smile", 0, 1), ("brows_up", 0, 1)}
+
+
+def test_what_is_held_goes_on_over_the_phrases_of_a_sentence_and_what_is_done_is_done_again() -> None:
+    tilts = [Span("tilt", first, first + 2, 0.4, first + 1) for first in (0, 3, 6)]
+    nods = [Span("nod", first, first + 2, 0.4, first) for first in (0, 3)]
+    going_on = [each for each in held([*tilts, *nods], {5}) if each.kind == "tilt"]
+    assert going_on == [replace(tilts[0], last=5), tilts[2]]
+    assert [each for each in held([*tilts, *nods], {5}) if each.kind == "nod"] == nods
+
+
+def test_nothing_is_held_for_longer_than_is_natural() -> None:
+    half = MOST_HELD // 2
+    smiles = [Span("smile", first, first + half - 1, 0.4, first) for first in (0, half, MOST_HELD)]
+    assert [(each.first, each.last) for each in held(smiles, ())] == [
+        (0, MOST_HELD - 1),
+        (MOST_HELD, MOST_HELD + half - 1),
+    ]
