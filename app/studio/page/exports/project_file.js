@@ -1,8 +1,9 @@
 /** A project as one file to keep: a zip of the recording, its words, the options, what was changed by hand, and the takes. */
 
-import { strFromU8, strToU8, unzipSync, zipSync } from "fflate";
+import { strFromU8, strToU8, zipSync } from "fflate";
 
 import { EMPTY } from "../state/project.js";
+import { unzipped } from "./zip_files.js";
 
 /** @import { Line } from "../service/performing.js" */
 /** @import { Project } from "../state/project.js" */
@@ -44,18 +45,6 @@ export async function openedProject(file) {
   const recording = new File([owned(audio)], path.slice(AUDIO.length));
   const project = { ...EMPTY, ...Object.fromEntries(parts), audio: recording, text: strFromU8(text) };
   return { project, takes: /** @type {readonly Take[]} */ (partOf(file.name, TAKES, files) ?? []) };
-}
-
-/**
- * @param {string} name
- * @param {Uint8Array} content
- */
-function unzipped(name, content) {
-  try {
-    return unzipSync(content);
-  } catch (error) {
-    throw new Error(`${name} is not a zip that can be opened`, { cause: error });
-  }
 }
 
 /**

@@ -5,6 +5,8 @@ import { Group } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { clone } from "three/addons/utils/SkeletonUtils.js";
 
+import { checkClaims } from "./glb_claims.js";
+
 /** @import { VRM } from "@pixiv/three-vrm" */
 /** @import { Object3D } from "three" */
 /** @import { Service } from "../service/service.js" */
@@ -47,7 +49,9 @@ export class Bodies {
     const loader = new GLTFLoader();
     loader.register((parser) => new VRMLoaderPlugin(parser));
     try {
-      const { scene, userData } = await loader.parseAsync(await file.arrayBuffer(), "");
+      const content = await file.arrayBuffer();
+      checkClaims(content);
+      const { scene, userData } = await loader.parseAsync(content, "");
       const vrm = /** @type {VRM | null} */ (userData["vrm"] ?? null);
       return { root: facingUs(scene, vrm), vrm };
     } catch (error) {

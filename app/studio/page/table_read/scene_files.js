@@ -1,7 +1,6 @@
 /** The files of a batch's folder, dropped, chosen or packed in a zip, by their paths from where `index.json` lies. */
 
-import { unzipSync } from "fflate";
-
+import { unzipped } from "../exports/zip_files.js";
 import { namesIn } from "./scene_index.js";
 
 /** @import { Service } from "../service/service.js" */
@@ -57,7 +56,7 @@ export async function droppedFiles(dropped) {
 
 /** @param {File} file */
 async function unpacked(file) {
-  const packed = unzipSync(new Uint8Array(await file.arrayBuffer()));
+  const packed = unzipped(file.name, new Uint8Array(await file.arrayBuffer()));
   return new Map(Object.entries(packed).map(([path, bytes]) => [path, new Blob([bytes.slice().buffer])]));
 }
 
