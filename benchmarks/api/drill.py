@@ -8,11 +8,11 @@
 
 Starts services of its own on free ports of 127.0.0.1, with the settings that a service has by default. Every answer but
 a 5xx other than 503 and 504 is right, as long as it is a problem with a code or has content, and JSON where it says so;
-inputs that are answered otherwise are kept in FOLDER (default out/drill). `benchmarks.api.inputs` has the inputs,
-`broken_streams` the messages of live streams, `broken_files` what is read from disk; `attacks` has single requests,
-`disturbances` what goes on while others ask honestly. Not tried: a clock that jumps, for it is everybody's on a
-machine; the time of day is read for the expiry of keys alone, all else by the monotonic clock. Ends with 1 if a bar is
-missed.
+inputs that are answered otherwise are kept in FOLDER (default out/drill). `broken.inputs` has the requests,
+`broken.streams` the messages of live streams, `broken.files` what is read from disk; `attacks` has single requests,
+`disturbances` what goes on while others ask honestly, `batch_faults` outputs that cannot be used. Not tried: a clock
+that jumps, for all processes of a machine share it; the time of day is read for the expiry of keys alone
+(`tests/api/admission/test_keys.py`), all else by the monotonic clock. Ends with 1 if a bar is missed.
 """
 
 import argparse
@@ -24,8 +24,9 @@ from pathlib import Path
 from .asking import Client, in_threads
 from .attacks import ATTACKS, hold_headers, hold_uploads
 from .bars import Bar, watched
-from .broken_files import files_broken
-from .broken_streams import streams_broken
+from .batch_faults import batch_faults
+from .broken.files import files_broken
+from .broken.streams import streams_broken
 from .disturbed import disturbed
 from .endurance import killed, soaked
 from .fuzzing import fuzzed
@@ -82,6 +83,7 @@ def drill(options: argparse.Namespace) -> list[Bar]:
         bars.append(Bar("the service at the end", "runs" if runs else "ended", "runs", runs))
     if options.files:
         bars += files_broken(options.files, options.seed)
+        bars += batch_faults()
     if not options.no_attacks:
         bars += attacked(options.only)
     if not options.no_disturbances:

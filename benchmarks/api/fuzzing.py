@@ -9,7 +9,7 @@ from pathlib import Path
 from .asking import Client, Told, in_threads
 from .attacks import Attack
 from .bars import Bar, watched
-from .inputs import inputs
+from .broken.inputs import inputs
 from .watching import Running, watching
 
 

@@ -7,8 +7,8 @@ import numpy as np
 import soundfile
 
 from .attacks import AUDIO, Attack, bml, form
-from .broken_audio import recordings
-from .inputs import TEXT, WORDS, request, words_file
+from .broken.audio import recordings
+from .broken.inputs import TEXT, WORDS, request, words_file
 
 FIVE_S = AUDIO.parents[1] / "tests" / "audio" / "numbers.flac"
 EXAMPLE = AUDIO.with_suffix(".txt")

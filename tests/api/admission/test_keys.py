@@ -8,6 +8,7 @@ import pytest
 from pydantic import SecretStr
 from starlette.datastructures import Headers
 
+from understudy import api, live
 from understudy.api.admission.keys import (
     FEWEST_CHARACTERS,
     LOOK_EVERY_S,
@@ -112,6 +113,13 @@ def test_what_else_stands_after_a_key_is_told_without_it(tmp_path: Path, further
         _keys(file=tmp_path / "keys")
     assert "API key 1" in caught.value.message
     assert ONE not in caught.value.message
+
+
+def test_a_clock_that_jumps_changes_nothing_but_when_keys_expire() -> None:
+    """All else is measured by the monotonic clock."""
+    folders = [Path(api.__file__).parent, Path(live.__file__).parent]
+    reading = [path.name for folder in folders for path in folder.rglob("*.py") if "time.time(" in path.read_text()]
+    assert reading == ["keys.py"]
 
 
 def test_a_file_that_changes_is_read_again_and_a_broken_one_changes_nothing(tmp_path: Path) -> None:

@@ -8,12 +8,13 @@ from pathlib import Path
 import pytest
 
 from benchmarks.api.asking import Told
-from benchmarks.api.breaking import json_changed
-from benchmarks.api.broken_files import KINDS as FILES
-from benchmarks.api.broken_files import files_broken
+from benchmarks.api.batch_faults import batch_faults
+from benchmarks.api.broken.breaking import json_changed
+from benchmarks.api.broken.files import KINDS as FILES
+from benchmarks.api.broken.files import files_broken
+from benchmarks.api.broken.inputs import KINDS, inputs
 from benchmarks.api.endurance import killed, soaked
 from benchmarks.api.fuzzing import fuzzed
-from benchmarks.api.inputs import KINDS, inputs
 from benchmarks.api.lines import usual
 from benchmarks.api.watching import serving
 
@@ -37,6 +38,10 @@ def test_the_service_holds(tmp_path: Path) -> None:
 
 def test_broken_files_end_in_a_result_or_an_error_of_ours() -> None:
     assert [str(bar) for bar in files_broken(60 * len(FILES), seed=8) if not bar.met] == []
+
+
+def test_outputs_that_cannot_be_used_are_refused_with_their_codes() -> None:
+    assert [str(bar) for bar in batch_faults() if not bar.met] == []
 
 
 def test_equal_seeds_give_equal_inputs_of_every_kind() -> None:

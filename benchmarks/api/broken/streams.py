@@ -9,11 +9,11 @@ from typing import Any
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
-from .asking import in_threads
-from .bars import Bar, watched
+from ..asking import in_threads
+from ..bars import Bar, watched
+from ..watching import HOST, Running, watching
 from .breaking import Rng, broken, json_changed
 from .inputs import WORDS, text
-from .watching import HOST, Running, watching
 
 A_STREAM = 12
 PATIENCE_S = 60.0

@@ -31,7 +31,7 @@ from understudy.resources import resource_folder
 from understudy.studio.scenes import OpenedScene
 from understudy.yaml_files import Source
 
-from .bars import Bar
+from ..bars import Bar
 from .breaking import VALUES, Rng, broken
 
 LONGEST_S = 5.0

@@ -9,7 +9,7 @@ from types import MappingProxyType
 import numpy as np
 import soundfile
 
-from .attacks import AUDIO
+from ..attacks import AUDIO
 from .breaking import Rng
 
 RATE_HZ = 16_000

@@ -16,12 +16,12 @@ from typing import Any
 
 from understudy.resources import resource_folder
 
-from ..realizer.exporting.avatar_mutants import mutants, small_avatar
-from .attacks import Attack, Body, bml, form
+from ...realizer.exporting.avatar_mutants import mutants, small_avatar
+from ..attacks import Attack, Body, bml, form
+from .audio import recordings, wav
+from .bml import behaviors
 from .breaking import VALUES, Rng, broken, json_changed
-from .broken_audio import recordings, wav
-from .broken_bml import behaviors
-from .broken_files import yaml_broken
+from .files import yaml_broken
 
 TEXT = "No, I have never seen those."
 WORDS = tuple({"text": word, "start_s": 0.1 * at, "end_s": 0.1 * (at + 1)} for at, word in enumerate(TEXT.split(), 1))
