@@ -11,6 +11,7 @@ from ..motion_models.affect import AffectModel
 from ..motion_models.model import SCENARIOS, MotionModel, Scenario, is_model
 from ..motion_models.pairs import SOUNDS, Pair, PairFile, Voice, heard_voice, read_pair
 from ..motion_models.performing import laid_over, move, replaced_behaviors
+from ..motion_models.scoring import Scores, left_out_trials, scored
 from ..motion_models.training import Learning, learn
 from ..progress import Progress, no_progress
 from ..prosody_gestures.trellis import EVERYTHING, Search
@@ -24,11 +25,14 @@ __all__ = [
     "MotionModel",
     "Moving",
     "Pair",
+    "Scores",
+    "Search",
     "moving_by",
     "read_motion_model",
     "read_pairs",
     "realize_moving",
     "scenario_named",
+    "score_motion_models",
     "train_motion_model",
 ]
 
@@ -102,6 +106,21 @@ def _pair_file(motion: Path) -> PairFile:
     if sound is None:
         raise InputError("pairs_wrong", f"{motion}: no sound beside it; give {motion.stem}{SOUNDS[0]}")
     return PairFile(motion, sound, track)
+
+
+def score_motion_models(
+    pairs: Sequence[Pair],
+    *,
+    kinds: int | None = None,
+    seed: int = 0,
+    scenarios: Sequence[str] = tuple(SCENARIOS),
+    searches: Sequence[Search] = (),
+    progress: Progress = no_progress,
+) -> Scores:
+    """How near motion comes to the recorded one by models that were learnt without the session that they move (AHG §4),
+    and how near each of the `searches` comes to the full one (RTS §3.1). Raises InputError `pairs_wrong`."""
+    trials, left_out = left_out_trials(pairs, Learning(kinds, seed), progress)
+    return scored(trials, left_out, scenarios, searches, progress)
 
 
 def read_motion_model(path: str) -> MotionModel:

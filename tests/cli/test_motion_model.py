@@ -1,5 +1,6 @@
 """`understudy motion-model` and what performs by its models, on recordings with motion that are made here."""
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -133,3 +134,27 @@ def test_what_cannot_move_is_told(model: Path, tmp_path: Path, capsys: Captured,
     assert main(line) == 2
     assert told in capsys.readouterr().err
     assert not (tmp_path / "x.bml").exists()
+
+
+def test_motion_is_scored_against_the_recorded_one(pairs: Path, tmp_path: Path, capsys: Captured) -> None:
+    """Each session by models of the others, the papers' figures beside; a search for all is the full one."""
+    report, figure = tmp_path / "scores.json", tmp_path / "scores.png"
+    line = ["motion-model", "score", str(pairs), "--kinds", "3", "--scenario", "S1", "--scenario", "RTS", "--search"]
+    assert main([*line, "-o", str(report), "--plot", str(figure)]) == 0
+    told = capsys.readouterr().out
+    assert "3 recordings, 0.6 min; a session is moved by a model of the others" in told
+    assert "S1" in told
+    assert "0.566" in told, "the paper's"
+    scores = json.loads(report.read_text())
+    assert set(scores["scenarios"]) == {"S1", "RTS"}
+    assert set(scores["features"]) == {"p", "a", "ap", "AP", "labels"}
+    assert scores["searches"][0]["similarity"] == 1.0
+    assert {(each["search"]["step"], each["search"]["best"]) for each in scores["searches"]} >= {(10, 3), (5, 3)}
+    assert scores["energy"] > 0
+    assert figure.read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_single_recording_cannot_be_left_out(tmp_path: Path, capsys: Captured) -> None:
+    write_bvh(tmp_path, "a_0")
+    assert main(["motion-model", "score", str(tmp_path), "--kinds", "3"]) == 2
+    assert "a single recording: give two at least" in capsys.readouterr().err

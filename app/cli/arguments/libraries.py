@@ -3,7 +3,7 @@
 
 from ...model import Hand, Level
 from ...option_table import PERFORMANCE
-from ..distinct_files import InputFile
+from ..distinct_files import InputFile, OutputFile
 from ..files import STANDARD
 from .command import Adding, actions_of
 from .options import add_options
@@ -93,3 +93,12 @@ def add_motion_models(add: Adding) -> None:
     train.add_argument("--kinds", metavar="N", type=int, help="kinds of movements (default: as many as keep affect)")
     train.add_argument("--seed", type=int, default=0, help="another number clusters otherwise (default 0)")
     add_output(train, "MODEL", "where the model goes (.npz), for --motion-model")
+    score = add_action("score", "how near a model's motion comes to recorded motion, each session left out: tables")
+    score.add_argument("folder", metavar="FOLDER", help=PAIRS_HELP)
+    score.add_argument("--kinds", metavar="N", type=int, help="kinds of movements (default: as many as keep affect)")
+    score.add_argument("--seed", type=int, default=0, help="another number clusters otherwise (default 0)")
+    told = "one of S1 … S6 or RTS (default: all); repeatable"
+    score.add_argument("--scenario", metavar="S1…S6", action="append", default=[], help=told)
+    score.add_argument("--search", action="store_true", help="speed and similarity of RTS' searches too")
+    score.add_argument("--plot", metavar="FILE", type=OutputFile, help="draw it beside the papers' figures, as PNG")
+    add_output(score, "OUT.json", "also write the figures as JSON", default="")
