@@ -4,9 +4,9 @@
 
 CASES are those of `training/acting/held_out.py`: lines that the reader was not trained on, by their words alone and as
 they were heard. Movements are to be made rather than missed. Those that say something of their own, a shake, a smile or
-a frown, say the contrary of what is meant where they are wrong: they are made from where they are as often right as
-they are made when wanted, the best F, and right often enough. Prints, for each kind and way of giving a line, how many
-stretches of lines have it and how many of them get it, and how many of those that get it have it; and writes the
+a frown, say the contrary of what is meant where they are wrong: they are made where their F is best, if they are right
+often enough and, of faces, no more are made than are asked for. Prints, for each kind and way of giving a line, how
+many stretches of lines have it and how many of them get it, and how many of those that get it have it; and writes the
 thresholds among the weights.
 """
 
@@ -32,6 +32,10 @@ READ_AS = {"squint": "frown"}
 
 LEAST_LIKELY = {"head": 0.15, "face": 0.11}
 """No movement is made that is less likely wanted: it would be one among many that mean nothing."""
+
+NO_MORE_THAN_ASKED = frozenset(("smile", "frown", "squint", "sad", "disgust"))
+"""Faces of which no more are made than are asked for, so that as many of those made are right as of those asked for are
+made, as it is with two directors."""
 
 NEVER = 0.9
 FEWEST = 10
@@ -98,6 +102,8 @@ def _threshold(kind: str, least: float, likely: FloatArray, wanted: FloatArray) 
         made = likely >= threshold
         right = float((made * wanted).sum())
         if right < LEAST_RIGHT.get(kind, 0.0) * made.sum() or made.sum() < FEWEST:
+            continue
+        if kind in NO_MORE_THAN_ASKED and made.sum() > wanted.sum():
             continue
         score = (1 + beta**2) * right / max(beta**2 * wanted.sum() + made.sum(), 1e-9)
         best = max(best, (score, float(threshold)))
