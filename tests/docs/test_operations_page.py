@@ -39,3 +39,28 @@ def test_nginx_allows_what_the_service_does() -> None:
     assert megabytes << 20 >= Settings.model_fields["max_body_bytes"].default
     assert int(re.findall(r"proxy_read_timeout (\d+)s;", nginx)[0]) > Settings.model_fields["deadline_s"].default
     assert int(re.findall(r"keepalive_timeout (\d+)s;", nginx)[0]) < Settings.model_fields["idle_s"].default
+
+
+def test_nginx_passes_live_streams_on() -> None:
+    nginx = (ROOT / "deploy" / "nginx.conf").read_text(encoding="utf-8")
+    live = re.findall(r"location = /live \{(.*?)\n        \}", nginx, re.DOTALL)[0]
+    assert "proxy_set_header Upgrade $http_upgrade;" in live
+    assert 'proxy_set_header Connection "upgrade";' in live
+    assert "proxy_set_header Host $http_host;" in live
+    assert int(re.findall(r"proxy_read_timeout (\d+)s;", live)[0]) > Settings.model_fields["live_idle_s"].default
+
+
+def test_in_kubernetes_only_callers_reach_the_service_and_it_reaches_nobody() -> None:
+    documents = list(yaml.safe_load_all((ROOT / "deploy" / "kubernetes.yaml").read_text(encoding="utf-8")))
+    [policy] = [each["spec"] for each in documents if each["kind"] == "NetworkPolicy"]
+    [deployment] = [each["spec"] for each in documents if each["kind"] == "Deployment"]
+    assert policy["podSelector"]["matchLabels"].items() <= deployment["template"]["metadata"]["labels"].items()
+    assert policy["policyTypes"] == ["Ingress", "Egress"]
+    assert policy["egress"] == []
+    assert all(rule["from"] and rule["ports"] for rule in policy["ingress"])
+
+
+def test_ci_looks_for_known_holes_in_what_the_locks_install() -> None:
+    assert "make audit" in (ROOT / ".ci" / "run").read_text(encoding="utf-8")
+    audit = (ROOT / ".ci" / "audit").read_text(encoding="utf-8")
+    assert all(f"{lock}" in audit for lock in ("requirements.lock", "requirements-test.lock", "--require-hashes"))

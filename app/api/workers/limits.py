@@ -9,11 +9,17 @@ from collections.abc import Awaitable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Never, Self, TypeVar
+from typing import Self, TypeVar
 
 from ...errors import ServiceError, TooLargeError
 
 Result = TypeVar("Result")
+
+_FREE_S, _SLICE_S, _REST_SLICES = 0.2, 0.05, 7
+"""A message works without rest for so long, seconds of the processor; then it rests seven slices after each."""
+
+_GIVES_WAY_AFTER = 0.1
+_LOWEST = 19
 
 
 def limit_memory(limit_bytes: int) -> None:
@@ -33,21 +39,28 @@ def too_large(limit_bytes: int) -> TooLargeError:
     )
 
 
-_GIVES_WAY_AFTER = 0.1
-_LOWEST = 19
-
-
 class ProcessorTimeError(BaseException):
     """The time is up. Not an Exception, so that no handler on its way takes it for an error in the input."""
 
 
 @contextmanager
 def processor_time(limit_s: float) -> Iterator[None]:
-    """Limits the processor time of a block, user and system time of all threads, seconds; after a tenth of it the
-    process lowers its priority. Only in the main thread. Raises ProcessorTimeError."""
-    patience_s = limit_s * _GIVES_WAY_AFTER
-    signal.signal(signal.SIGPROF, _late)
-    signal.setitimer(signal.ITIMER_PROF, patience_s, limit_s - patience_s)
+    """Limits the processor time of a block, user and system time of all threads, seconds. What takes long makes room
+    for others: first by resting in between, after a tenth of the limit by the lowest priority. Only in the main thread.
+    Raises ProcessorTimeError."""
+    began_s = time.process_time()
+
+    def tick(*_signal: object) -> None:
+        spent_s = time.process_time() - began_s
+        if spent_s >= limit_s:
+            raise ProcessorTimeError
+        if spent_s >= limit_s * _GIVES_WAY_AFTER:
+            give_way()
+        else:
+            time.sleep(_REST_SLICES * _SLICE_S)
+
+    signal.signal(signal.SIGPROF, tick)
+    signal.setitimer(signal.ITIMER_PROF, min(_FREE_S, limit_s * _GIVES_WAY_AFTER), _SLICE_S)
     try:
         yield
     finally:
@@ -64,16 +77,6 @@ def too_long(limit_s: float) -> TooLargeError:
 def give_way() -> None:
     """Lowers this process's priority to the lowest; only root could raise it again."""
     os.nice(_LOWEST - os.nice(0))
-
-
-def _late(*_signal: object) -> None:
-    """The first signal lowers the priority, the next one stops the block."""
-    signal.signal(signal.SIGPROF, _stop)
-    give_way()
-
-
-def _stop(*_signal: object) -> Never:
-    raise ProcessorTimeError
 
 
 @dataclass(frozen=True, slots=True)

@@ -37,21 +37,30 @@ def stream(service: socket.socket, models: LiveModels, settings: Settings) -> No
     conversation = Conversation(models, settings)
     began_s, spent_s = time.monotonic(), time.process_time()
     while not conversation.ended:
+        before_s = time.process_time()
         try:
             message, content, _ = receive(service)
             assert isinstance(message, LiveInput)
             _answer(service, conversation, settings, bytes(content), is_text=message.is_text)
         except (EOFError, OSError):
             break
-        if takes_too_much(time.process_time() - spent_s, time.monotonic() - began_s):
+        processor_s, passed_s = time.process_time(), time.monotonic() - began_s
+        if takes_too_much(processor_s - spent_s, passed_s):
             give_way()
-        time.sleep(too_soon_s(conversation.heard_s, time.monotonic() - began_s, settings.live_ahead_s))
+        rest_s = rest_after_s(processor_s - before_s, conversation.heard_s, passed_s)
+        time.sleep(max(rest_s, too_soon_s(conversation.heard_s, passed_s, settings.live_ahead_s)))
     models.understudy.close()
 
 
 def takes_too_much(processor_s: float, passed_s: float) -> bool:
     """Whether a stream has used more processor time than speech in real time needs, as in an attack."""
     return processor_s > STARTS_WITH_S + USUAL_SHARE * passed_s
+
+
+def rest_after_s(processor_s: float, heard_s: float, passed_s: float) -> float:
+    """How long to rest after a message that took so much processor time: as long again while the sound is ahead of the
+    clock, so that it takes half a core at most. A voice is never ahead."""
+    return processor_s if heard_s > passed_s else 0.0
 
 
 def too_soon_s(heard_s: float, passed_s: float, ahead_s: float) -> float:

@@ -33,6 +33,19 @@ def test_who_takes_long_gives_way_and_then_is_stopped(
         assert pool.apply(_worked, (limit_s, busy_s)) == (niceness, stopped)
 
 
+def _lasted(busy_s: float) -> float:
+    """Seconds by the clock for each of the processor's, in a message that may take long."""
+    began_s = time.monotonic()
+    _worked(60.0, busy_s)
+    return (time.monotonic() - began_s) / busy_s
+
+
+def test_who_takes_more_than_a_moment_rests_in_between() -> None:
+    """Half a second of work has .3 s in slices of .05, each followed by .35 s of rest."""
+    with get_context("spawn").Pool(1) as pool:
+        assert pool.apply(_lasted, (0.5,)) > 4.0
+
+
 def test_afterwards_there_is_no_limit() -> None:
     before = signal.getsignal(signal.SIGPROF)
     try:
