@@ -30,7 +30,7 @@ test: .venv/installed-test
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	$(BIN)/understudy rules check
-	OMP_NUM_THREADS=1 $(BIN)/pytest -n auto --maxprocesses 4 --dist loadfile -rs
+	OMP_NUM_THREADS=1 $(BIN)/pytest -n auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder -rs
 
 # The service under attack, on loopback alone, some ten minutes; python -m benchmarks.api.drill takes longer.
 drill: .venv/installed-test
