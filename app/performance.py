@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from .acoustic.affect.given import given_line
+from .acoustic.affect.line_affect import given_line
 from .acoustic.stage import (
     AcousticModels,
     align_words,

@@ -41,9 +41,8 @@ from .focus.listeners import Listeners
 from .pacing.pacing import Pace
 from .signal.background import doubts
 from .signal.decoding import AudioLimits, decode
-from .stress.emphasis import Measure, with_emphasis
 from .stress.prominence import prominence, with_listeners
-from .stress.stress import stress
+from .stress.stress import Measure, stress, with_emphasis
 
 
 @dataclass(frozen=True, slots=True)

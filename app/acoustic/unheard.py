@@ -6,13 +6,13 @@ from dataclasses import dataclass, replace
 
 from ..errors import TooLargeError
 from ..model import NEUTRAL, Agitation, Filler, LineAffect, Manner, Notice, Parse, PhraseAffect, Speaking, Timings, Word
+from .affect.line_affect import phrases_of
 from .affect.manner import unheard_manners
-from .affect.phrases import phrases_of
 from .alignment.timings import read_fillers, read_timings
 from .pacing.pacing import paced, timed_elsewhere
 from .pacing.unheard_stress import timed_stress, usual_stress
 from .stage import AcousticModels
-from .stress.emphasis import Measure, with_emphasis
+from .stress.stress import Measure, with_emphasis
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,8 +8,8 @@ from types import MappingProxyType
 
 from pydantic import RootModel
 
-from ..acoustic.pacing.pause_table import FILE as PACING
-from ..acoustic.pacing.pause_table import PauseTable
+from ..acoustic.pacing.pacing import FILE as PACING
+from ..acoustic.pacing.pacing import PauseTable
 from ..acoustic.pacing.phone_durations import FILE as PHONE_DURATIONS
 from ..acoustic.pacing.phone_durations import PhoneDurations
 from ..acoustic.pronunciation.normalisation import Normaliser

@@ -16,8 +16,7 @@ from types import MappingProxyType
 from xml.parsers import expat
 
 from ..errors import InputError, shown
-from ..model import PLAIN, Demand, GivenFunction, Speaking
-from .spoken_text import SpokenText
+from ..model import PLAIN, PLAINLY_SPOKEN, Demand, GivenFunction, Speaking
 from .tag_table import TagTable
 
 GENERIC_GESTURE = "beat_gesture"
@@ -39,6 +38,16 @@ _SLOWEST, _FASTEST, _LONGEST_PAUSE_S = 0.3, 3.0, 30.0
 _TIME = re.compile(r"\+?(\d*\.?\d+)\s*(ms|s)?")
 _RATE = re.compile(r"(\d*\.?\d+)(%?)")
 _UNEMPHATIC = frozenset({"none", "reduced"})
+
+
+@dataclass(frozen=True, slots=True)
+class SpokenText:
+    """The words alone in `text`; how they are spoken, and the functions and behaviours that tags ask for."""
+
+    text: str
+    speaking: Speaking = PLAINLY_SPOKEN
+    functions: tuple[GivenFunction, ...] = ()
+    demands: tuple[Demand, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

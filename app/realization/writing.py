@@ -8,9 +8,8 @@ from functools import partial
 from types import MappingProxyType
 
 from ..authored_folders import lexicon_folder
-from ..editorial.annotations import to_elan, to_textgrid
+from ..editorial.annotations import to_elan, to_event_table, to_textgrid
 from ..editorial.events import timeline_events, tracks_of
-from ..editorial.table import to_event_table
 from ..editorial.timeline import to_otio
 from ..model import FloatArray
 from ..model.formats.motion_formats import EDITORIAL, SCENES, AudioFile, FileOptions, Keys, MotionFormat

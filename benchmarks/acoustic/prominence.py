@@ -29,9 +29,8 @@ from training.emodb import JudgedSentence, read_judged
 from training.prominence import SPEECH, STRESSED, fit, regression, threshold
 from understudy.acoustic.contours import contours_of
 from understudy.acoustic.focus.listeners import Listeners
-from understudy.acoustic.stress.emphasis import PROMINENT
 from understudy.acoustic.stress.prominence import cues, log_odds, prominence, with_listeners
-from understudy.acoustic.stress.stress import stress
+from understudy.acoustic.stress.stress import PROMINENT, stress
 from understudy.model import Contours, FloatArray, Interval, Phone, Word
 from understudy.resources import resource_folder
 

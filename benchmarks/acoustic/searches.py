@@ -17,7 +17,7 @@ from pocketsphinx import get_model_path
 
 from benchmarks.acoustic.alignment import ROOT, read_acted, read_options
 from training.alignment.timit import read_sentences
-from understudy.acoustic.alignment.decoder_signal import FRAMES_PER_S, pcm
+from understudy.acoustic.alignment.decoder_process import FRAMES_PER_S, pcm
 from understudy.acoustic.alignment.decoder_worker import NARROW, WIDE, HeardPhones, Recognizer, Search
 from understudy.acoustic.pronunciation.normalisation import Normaliser
 from understudy.acoustic.pronunciation.pronunciation import Pronouncer

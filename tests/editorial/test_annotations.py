@@ -1,12 +1,15 @@
 """TextGrids as praatio, ELAN files as pympi read them."""
 
+import csv
+import io
 from pathlib import Path
 
 import pytest
 
 from tests.support.motion.editorial import LEAD_IN_S, REALIZED, SCHEDULE
-from understudy.editorial.annotations import to_elan, to_textgrid
+from understudy.editorial.annotations import to_elan, to_event_table, to_textgrid
 from understudy.editorial.events import timeline_events, tracks_of
+from understudy.model import SyncPoints
 
 TRACKS = tracks_of(timeline_events(SCHEDULE, REALIZED), clock_starts_s=LEAD_IN_S, words=SCHEDULE.words)
 TIERS = {"words", "functions", "gesture", "head", "face", "face_2", "eyes", "gesture.rule", "face.function"}
@@ -43,3 +46,22 @@ def test_elan_finds_the_same_tiers_and_the_recording(tmp_path: Path) -> None:
 @pytest.mark.parametrize("end_s", [3.5, 0.0])
 def test_the_grid_is_as_long_as_what_is_in_it(end_s: float) -> None:
     assert f"xmax = {max(end_s, 2.6):g}".encode() in to_textgrid(TRACKS, end_s)
+
+
+def rows(realized: dict[str, SyncPoints]) -> dict[str, dict[str, str]]:
+    content = to_event_table(timeline_events(SCHEDULE, realized), clock_starts_s=LEAD_IN_S).decode()
+    return {row["id"]: row for row in csv.DictReader(io.StringIO(content))}
+
+
+def test_a_row_has_the_points_in_the_time_of_the_recording_and_the_reasons() -> None:
+    told = rows(dict(REALIZED))
+    gesture = told["gesture1"]
+    assert (gesture["tier"], gesture["label"], gesture["hand"]) == ("gesture", "NEGATION", "right")
+    assert (gesture["start_s"], gesture["stroke_s"], gesture["end_s"]) == ("0.500", "1.000", "2.100")
+    assert (gesture["words"], gesture["function"], gesture["rule"]) == ("No", "negation/plain", "show_negation")
+    assert told["eyes1"]["stroke_s"] == ""
+    assert told["f2"]["label"] == "emphasis/voice"
+
+
+def test_what_is_before_the_recording_has_times_below_zero() -> None:
+    assert rows({**REALIZED, "eyes1": SyncPoints(0.1, 0.3)})["eyes1"]["start_s"] == "-0.400"

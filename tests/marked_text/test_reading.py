@@ -3,11 +3,9 @@
 import pytest
 
 from understudy.errors import InputError
-from understudy.marked_text.emphasis_marks import without_marks
-from understudy.marked_text.reading import read_marked
-from understudy.marked_text.spoken_text import SpokenText
+from understudy.marked_text.reading import read_marked, without_marks
 from understudy.marked_text.tag_table import TagTable
-from understudy.marked_text.tags import GENERIC_GESTURE, MOST_DEPTH
+from understudy.marked_text.tags import GENERIC_GESTURE, MOST_DEPTH, SpokenText
 from understudy.model import PLAIN, Demand, GivenFunction
 
 TABLE = TagTable({"performative": {"type": {"greet": "greeting", "order": "modal.obligation"}}})

@@ -1,5 +1,5 @@
 """Fits the probability that a text differs from what is said, from its aligned phones
-(`app/acoustic/alignment/misfit.py`).
+(`app/acoustic/alignment/fit.py`).
 
     python -m training.alignment.misfit [--shared ../shared]
 
@@ -18,8 +18,7 @@ import numpy as np
 from sklearn.linear_model import LogisticRegression
 
 from understudy.acoustic.alignment.alignment import Aligner
-from understudy.acoustic.alignment.fit import REFUSED, SUSPECT
-from understudy.acoustic.alignment.misfit import EVIDENCE, evidence
+from understudy.acoustic.alignment.fit import EVIDENCE, REFUSED, SUSPECT, evidence
 from understudy.model import FloatArray
 from understudy.transcript import read_transcript
 

@@ -1,19 +1,55 @@
-"""Hears the feeling of a line, and of each of its phrases.
+"""Hears the feeling of a line, and of each of its phrases; or takes both from an author who gives them.
 
-A phrase is short, so what it sounds like counts by its length, and the line's feeling for the rest.
+Phrases are the words between pauses, each of which may sound different. Short ones join the next: what is heard in less
+than half a second says little about a feeling. A phrase is short, so what it sounds like counts by its length, and the
+line's feeling for the rest.
 """
 
+import math
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import Protocol
 
-from ...model import Affect, LineAffect, PhraseAffect, Word, mean_affect
+from ...model import Affect, AffectTrack, Interval, LineAffect, PhraseAffect, Word, mean_affect
 from ...model.voice.speaker_reference import SpeakerReference
 from .affect_model import AffectModel
-from .phrases import phrase_interval, phrases_of
 from .stretch import Stretch
+
+SHORTEST_PAUSE_S = 0.25
+SHORTEST_PHRASE_S = 0.6
 
 HALF_TRUSTED_S = 0.8
 """A phrase so long counts as much as the line does."""
+
+STEP_S = 0.05
+"""How finely a track is averaged over a phrase."""
+
+
+def phrases_of(words: tuple[Word, ...]) -> tuple[tuple[int, int], ...]:
+    """First and last word of each phrase, in order; none if no word has a time. A word that is not spoken belongs to
+    the phrase before it."""
+    starts = list(_starts(words))
+    return tuple(zip(starts, [*(start - 1 for start in starts[1:]), len(words) - 1], strict=True)) if starts else ()
+
+
+def phrase_interval(words: tuple[Word, ...], first: int, last: int) -> Interval:
+    """From the start of its first word to the end of its last; at least one of them has a time."""
+    timed = [word.interval for word in words[first : last + 1] if word.interval]
+    return Interval(timed[0].start_s, timed[-1].end_s)
+
+
+def _starts(words: tuple[Word, ...]) -> Iterator[int]:
+    """The first word of each phrase; the first phrase has the words before it too."""
+    timed = [(word.index, word.interval) for word in words if word.interval]
+    if not timed:
+        return
+    yield 0
+    begun_s, end_s = timed[0][1].start_s, timed[-1][1].end_s
+    for (_, before), (index, after) in pairwise(timed):
+        long_enough = before.end_s - begun_s >= SHORTEST_PHRASE_S and end_s - after.start_s >= SHORTEST_PHRASE_S
+        if after.start_s - before.end_s >= SHORTEST_PAUSE_S and long_enough:
+            begun_s = after.start_s
+            yield index
 
 
 class AffectJudge(Protocol):
@@ -61,3 +97,21 @@ def _phrase_affects(
             continue
         alone = judge.affect_of(part, reference)
         yield PhraseAffect(first, last, mean_affect([alone, heard], [part.duration_s, HALF_TRUSTED_S]))
+
+
+def given_line(track: AffectTrack, words: tuple[Word, ...], duration_s: float) -> LineAffect:
+    """The feeling of the line and of its phrases as the track has it."""
+    phrases = tuple(
+        PhraseAffect(first, last, _between(track, phrase_interval(words, first, last)))
+        for first, last in phrases_of(words)
+    )
+    return LineAffect(_between(track, Interval(0.0, duration_s)), phrases, given=True)
+
+
+def _between(track: AffectTrack, interval: Interval) -> Affect:
+    """The mean feeling over an interval."""
+    if len(track.times_s) == 1:
+        return track.affects[0]
+    count = max(1, math.ceil(interval.duration_s / STEP_S))
+    places = [interval.start_s + (place + 0.5) * interval.duration_s / count for place in range(count)]
+    return mean_affect([track.at(place_s) for place_s in places], [1.0] * count)

@@ -14,8 +14,7 @@ from ...model import Audio, Filler, FloatArray, Interval, Notice, Phone, Word
 from ..pronunciation.normalisation import Normaliser
 from ..pronunciation.pronunciation import Pronouncer, Pronunciation
 from .boundaries import BoundaryModel
-from .decoder_process import Decoded, DecodedPhone, DecoderProcess
-from .decoder_signal import FRAMES_PER_S
+from .decoder_process import FRAMES_PER_S, Decoded, DecodedPhone, DecoderProcess
 from .fit import check_fit, check_found
 from .pieces import decode_in_pieces
 from .spreading import spread

@@ -1,4 +1,7 @@
-"""The client of the process that runs pocketsphinx (`decoder_worker`): starts it, sends requests, handles crashes."""
+"""The client of the process that runs pocketsphinx (`decoder_worker`): starts it, sends requests, handles crashes.
+
+The decoder hears 16-bit samples, normalized and padded with faint noise (`pcm`), and counts in frames.
+"""
 
 import json
 import subprocess
@@ -10,13 +13,33 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Self
 
+import numpy as np
+
 from ...errors import ServiceError
+from ...model import SAMPLE_RATE_HZ, FloatArray
+
+FRAMES_PER_S = 100
+FRAME_SAMPLES = SAMPLE_RATE_HZ // FRAMES_PER_S
+PADDING_FRAMES = FRAMES_PER_S // 5
+
+PEAK = 0.9
+NOISE_AMPLITUDE = 3e-4
+NOISE_SEED = 20_200
 
 WORKER = Path(__file__).with_name("decoder_worker.py")
 TIME_LIMIT_S = 120.0
 
 Pronunciations = Sequence[str]
 """The alternative pronunciations of a word, each as phones separated by spaces."""
+
+
+def pcm(samples: FloatArray) -> bytes:
+    """The signal with `PADDING_FRAMES` of noise before and after it; deterministic."""
+    noise = np.random.default_rng(NOISE_SEED).standard_normal(2 * PADDING_FRAMES * FRAME_SAMPLES) * NOISE_AMPLITUDE
+    before, after = np.split(noise, 2)
+    peak = float(np.abs(samples).max(initial=0.0)) or 1.0
+    padded = np.concatenate([before, samples * (PEAK / peak), after])
+    return (padded * 32767).round().astype("<i2").tobytes()
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,23 +1,29 @@
 """Detects transcripts that do not match the audio.
 
-Whether a text differs from what is said shows in its aligned phones (`misfit`): above `REFUSED` the text is refused,
-above `SUSPECT` there is a warning. In noise and over the telephone correct texts fit worse too, and so they do where a
-voice is raised so high that the aligner's acoustic model, taught by people who read aloud, has not heard its like:
-there nothing is refused. Missing words show in sound outside all words, and in phones too long for speech. `python -m
-benchmarks.acoustic.transcripts` prints how often correct and wrong texts are refused and warned about.
+The aligner finds a path for nearly any text, so the fit of the phones must decide. A wrong text fits badly nearly
+everywhere, and its phones are squeezed and stretched; a correct one in a bad recording fits badly here and there. The
+weights of `misfit` are those of a logistic regression on clean, acted, synthetic and noisy speech with correct and
+wrong texts (`python -m training.alignment.misfit`). Scores are log likelihoods per frame of .01 s, relative to those of
+the sounds that fit best.
+
+Above `REFUSED` the text is refused, above `SUSPECT` there is a warning. In noise and over the telephone correct texts
+fit worse too, and so they do where a voice is raised so high that the aligner's acoustic model, taught by people who
+read aloud, has not heard its like: there nothing is refused. Missing words show in sound outside all words, and in
+phones too long for speech. `python -m benchmarks.acoustic.transcripts` prints how often correct and wrong texts are
+refused and warned about.
 """
 
 from collections.abc import Iterator, Sequence
 from itertools import islice
+from math import log
 
 import numpy as np
 
 from ...errors import InputError
 from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, Notice, Word
 from ..pitch.pitch import track_f0
-from ..signal.loudness import FRAME_S, frame_power
+from ..signal.background import FRAME_S, frame_power
 from .decoder_process import DecodedPhone
-from .misfit import misfit
 
 REFUSED = 0.5
 SUSPECT = -1.5
@@ -40,6 +46,27 @@ TELEPHONE_DB = 8.0
 """Telephone bandwidth lowers the scores as much as this much noise."""
 
 TELEPHONE_JUDGED_S = 60.0
+
+_SILENCE = 1e-10
+
+FRAMES_PER_S = 100
+POOR_SCORE = -40.0
+"""Phones with lower scores fit poorly: one in eleven of a correct text, two in three of a wrong one."""
+
+SHORTEST_FRAMES = 3
+"""A phone of the acoustic model has three states of at least one frame each."""
+
+EVIDENCE = (
+    "mean score of frames",
+    "score of the tenth of the phones that fits worst",
+    "score of the quarter of the phones that fits worst",
+    "share of phones that fit poorly",
+    "log of phones a second",
+    "share of phones as short as can be",
+    "spread of the log of durations",
+)
+WEIGHTS = (-0.1011, -0.0324, -0.0387, 6.0237, 0.4775, 5.1994, 12.3770)
+BIAS = -20.7708
 
 
 def check_fit(audio: Audio, words: tuple[Word, ...], decoded: list[list[DecodedPhone]]) -> tuple[Notice, ...]:
@@ -150,8 +177,25 @@ def _names(words: tuple[Word, ...], phone_is_odd: list[bool]) -> str:
     return "word " + ", ".join(f"{word.index} ({word.text})" for word in odd)
 
 
-_SILENCE = 1e-10
-
-
 def _floor(power: FloatArray) -> float:
     return max(float(np.percentile(power, 10)), _SILENCE)
+
+
+def misfit(phones: Sequence[DecodedPhone]) -> float:
+    """The log-odds that the text with these phones, at least one, differs from what is said."""
+    return BIAS + float(np.dot(WEIGHTS, evidence(phones)))
+
+
+def evidence(phones: Sequence[DecodedPhone]) -> tuple[float, ...]:
+    """The measures named in `EVIDENCE`, in its order."""
+    frames = np.array([phone.frames for phone in phones])
+    scores = np.array([phone.score / phone.frames for phone in phones])
+    return (
+        float((scores * frames).sum() / frames.sum()),
+        float(np.percentile(scores, 10)),
+        float(np.percentile(scores, 25)),
+        float((scores < POOR_SCORE).mean()),
+        log(len(phones) / frames.sum() * FRAMES_PER_S),
+        float((frames <= SHORTEST_FRAMES).mean()),
+        float(np.log(frames).std()),
+    )

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...model import Audio, FloatArray, Interval, Notice, Word
-from ..signal.loudness import FRAME_S, frame_power
+from ..signal.background import FRAME_S, frame_power
 
 BELOW_LOUDEST_DB = 30.0
 MOST_PHONES_PER_S = 25.0

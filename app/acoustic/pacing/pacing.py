@@ -3,21 +3,61 @@ syllable before a pause and in emphasized words, with pauses at punctuation.
 
 The agents of Gesture Engine (Hartmann, Mancini & Pelachaud 2002, §5) and of *Towards Natural Gesture Synthesis* (§3.1)
 take these times from a speech synthesizer; here they stand in for one, and `timed_elsewhere` takes a synthesizer's.
+How a line is paced is read from `lexicon/pacing.yaml`, every mistake in it reported at once, with its place.
 """
 
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Self
+from typing import Annotated, Self
+
+from pydantic import Field, field_validator
 
 from ...model import Interval, Phone, Speaking, Word
+from ...yaml_files import Entry, Source
 from ..stress.prominence import VOWELS
-from .pause_table import FILE as PAUSES
-from .pause_table import PauseTable
 from .phone_durations import FILE as DURATIONS
 from .phone_durations import PhoneDurations
 
+FILE = "pacing.yaml"
+ELLIPSIS = "…"
+
+_CLOSING = "\"'“”‘’«»()[]{}*_"
+_Pause = Annotated[float, Field(ge=0, le=10, strict=False)]
+_Factor = Annotated[float, Field(ge=0.5, le=3, strict=False)]
+
 DECIMALS = 3
+
+
+class PauseTable(Entry):
+    """Silences in seconds, and factors of usual durations; comments in the file explain them."""
+
+    begin_s: _Pause
+    end_s: _Pause
+    between_words_s: _Pause
+    pauses_s: dict[str, _Pause]
+    before_pause: _Factor
+    emphasized: _Factor
+
+    @field_validator("pauses_s")
+    @classmethod
+    def _single_marks(cls, pauses_s: dict[str, float]) -> dict[str, float]:
+        """The pauses by mark; raises ValueError for what is no single punctuation mark."""
+        for mark in pauses_s:
+            if len(mark) != 1 or mark.isalnum() or mark.isspace():
+                raise ValueError(f"{mark!r} is no punctuation mark; give one character")
+        return pauses_s
+
+    @classmethod
+    def load(cls, path: Path) -> Self:
+        """Raises AuthoringError with every mistake."""
+        return Source(path).validated(cls)
+
+    def after(self, text: str) -> float:
+        """The pause after a word as it is written, or in place of one that is punctuation alone; 0 for none."""
+        written = text.replace("...", ELLIPSIS).rstrip(_CLOSING)
+        marks = written[len(written.rstrip("".join(self.pauses_s))) :]
+        return max((self.pauses_s[mark] for mark in marks), default=0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +70,7 @@ class Pace:
     @classmethod
     def load(cls, lexicon: Path) -> Self:
         """Raises AuthoringError with every mistake in the first file that has any."""
-        return cls(PhoneDurations.load(lexicon / DURATIONS), PauseTable.load(lexicon / PAUSES))
+        return cls(PhoneDurations.load(lexicon / DURATIONS), PauseTable.load(lexicon / FILE))
 
 
 @dataclass(frozen=True, slots=True)

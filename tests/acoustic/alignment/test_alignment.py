@@ -14,8 +14,7 @@ import soundfile
 import soxr
 
 from understudy.acoustic.alignment.alignment import Aligner
-from understudy.acoustic.alignment.decoder_process import DecoderProcess
-from understudy.acoustic.alignment.decoder_signal import pcm
+from understudy.acoustic.alignment.decoder_process import DecoderProcess, pcm
 from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.errors import InputError, ServiceError
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray, Word

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 import soundfile
 
-from understudy.acoustic.alignment.decoder_signal import FRAMES_PER_S, pcm
+from understudy.acoustic.alignment.decoder_process import FRAMES_PER_S, pcm
 from understudy.acoustic.alignment.decoder_worker import FRAMES_PER_S as WORKERS_FRAMES_PER_S
 from understudy.acoustic.alignment.decoder_worker import MOST_WORDS_KNOWN, NARROW, Recognizer
 

@@ -4,11 +4,28 @@ import json
 from pathlib import Path
 
 import numpy as np
+import pytest
 import soundfile
 
-from understudy.acoustic.alignment.decoder_process import Decoded, DecoderProcess, Span
-from understudy.acoustic.alignment.decoder_signal import FRAMES_PER_S
-from understudy.acoustic.alignment.pieces import PIECE_FRAMES, UNSURE_FRAMES, Cut, cuts_in_pauses, decode_in_pieces
+from understudy.acoustic.alignment.decoder_process import (
+    FRAME_SAMPLES,
+    FRAMES_PER_S,
+    Decoded,
+    DecodedPhone,
+    DecoderProcess,
+    Span,
+)
+from understudy.acoustic.alignment.pieces import (
+    KEPT_FRAMES,
+    LONGEST_SOUND_FRAMES,
+    PIECE_FRAMES,
+    UNSURE_FRAMES,
+    Cut,
+    cuts_in_pauses,
+    decode_in_pieces,
+    fits_better,
+    silenced,
+)
 from understudy.model import SAMPLE_RATE_HZ, FloatArray
 
 AUDIO = Path(__file__).resolve().parents[2] / "audio"
@@ -113,3 +130,41 @@ def test_no_cut_goes_through_a_filler() -> None:
 
 def test_where_no_word_is_heard_only_the_unsure_end_is_left() -> None:
     assert cuts_in_pauses([], 30 * FRAMES_PER_S) == [Cut(0, 30 * FRAMES_PER_S - UNSURE_FRAMES)]
+
+
+SHORT = DecodedPhone("T", 0, 10, -100)
+
+
+def _found(phone: DecodedPhone, *fillers: DecodedPhone) -> Decoded:
+    return Decoded([[SHORT, phone]], list(fillers))
+
+
+def _lasting(frames: int, per_frame: int = -10, label: str = "AH") -> DecodedPhone:
+    return DecodedPhone(label, 10, frames, frames * per_frame)
+
+
+def test_speech_is_left_alone() -> None:
+    assert silenced(np.ones(100), _found(_lasting(LONGEST_SOUND_FRAMES))) is None
+
+
+def test_a_sound_that_is_too_long_is_silenced_but_for_its_end() -> None:
+    frames = LONGEST_SOUND_FRAMES + 1
+    rest = silenced(np.ones(1000 * FRAME_SAMPLES), _found(_lasting(frames)))
+    assert rest is not None
+    (silent,) = np.nonzero(rest == 0)
+    assert (silent[0], silent[-1] + 1) == (10 * FRAME_SAMPLES, (10 + frames - KEPT_FRAMES) * FRAME_SAMPLES)
+
+
+@pytest.mark.parametrize(("after", "kept"), [(-20, False), (-10, False), (-5, False), (0, True)])
+def test_a_vowel_that_really_is_long_stays(after: int, kept: bool) -> None:
+    assert fits_better(_found(_lasting(20, after)), _found(_lasting(200, -10))) is kept
+
+
+@pytest.mark.parametrize(
+    "before",
+    [_found(_lasting(20), _lasting(200, label="um")), _found(_lasting(200, label="HH"))],
+    ids=["filler", "breath"],
+)
+def test_what_nobody_can_draw_out_goes_unless_the_words_fit_worse_without_it(before: Decoded) -> None:
+    assert fits_better(_found(_lasting(20)), before)
+    assert not fits_better(_found(_lasting(20, -30)), before)

@@ -4,8 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from understudy.acoustic.pacing.pacing import Pace, PacedWords, paced, timed_elsewhere
-from understudy.acoustic.pacing.pause_table import FILE, PauseTable
+from understudy.acoustic.pacing.pacing import FILE, Pace, PacedWords, PauseTable, paced, timed_elsewhere
 from understudy.acoustic.pacing.phone_durations import PhoneDurations
 from understudy.errors import AuthoringError
 from understudy.model import PLAINLY_SPOKEN, Interval, Phone, Speaking, Word
