@@ -3,19 +3,23 @@
 from dataclasses import dataclass
 
 from ..model import DEFAULT_CHARACTER, SAMPLE_RATE_HZ, Behavior
+from ..motion_models.playing import Phrase
+from ..prosody_gestures.trellis import EVERYTHING, Search
 from .body import BodyFrame
 from .mouth import MouthShape
 
 
 @dataclass(frozen=True, slots=True)
 class LiveOptions:
-    """Who performs and how; `frame_rate_hz` is 30 or 60, None for no frames."""
+    """Who performs and how; `frame_rate_hz` is 30 or 60, None for no frames; `search` is how a motion model's path is
+    searched (RTS' m and n)."""
 
     sample_rate_hz: int = SAMPLE_RATE_HZ
     character: str = DEFAULT_CHARACTER
     seed: int = 0
     frame_rate_hz: int | None = None
     stillness: float = 0.0
+    search: Search = EVERYTHING
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,4 +47,12 @@ class MouthMessage:
     heard_s: float
 
 
-LiveMessage = BehaviorMessage | WithdrawalMessage | MouthMessage | BodyFrame
+@dataclass(frozen=True, slots=True)
+class PhraseMessage:
+    """A phrase of a motion model begins."""
+
+    phrase: Phrase
+    heard_s: float
+
+
+LiveMessage = BehaviorMessage | WithdrawalMessage | MouthMessage | PhraseMessage | BodyFrame

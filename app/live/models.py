@@ -7,6 +7,7 @@ from ..acoustic.pacing.phone_durations import FILE as DURATIONS
 from ..acoustic.pacing.phone_durations import PhoneDurations
 from ..authored_folders import lexicon_folder
 from ..models import Understudy
+from ..motion_models.model import MotionModel
 from ..prosody_gestures.voice_model import VoiceModel
 from ..resources import resource_folder
 from .mouth import MouthModel
@@ -23,6 +24,7 @@ class LiveModels:
     mouth: MouthModel
     table: LiveTable
     durations: PhoneDurations
+    motion: MotionModel | None = None
 
     @classmethod
     def load(cls, understudy: Understudy) -> Self:

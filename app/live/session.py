@@ -13,14 +13,15 @@ import numpy as np
 from ..behavior.characters.abstaining import abstaining, never_shown
 from ..errors import InputError
 from ..model import Affect, Behavior, FloatArray, Word
+from ..motion_models.playing import UnitPlayer
 from ..options import Options
 from .agenda import REMEMBERED_S, WORDED, Agenda
 from .attention import Attention
 from .body import Asked, BodyFrame, LiveBody, Performing
 from .ear import Ear
-from .events import LiveEvents
+from .events import LiveEvent, LiveEvents
 from .feeling import RunningFeeling
-from .messages import LiveMessage, LiveOptions, MouthMessage
+from .messages import LiveMessage, LiveOptions, MouthMessage, PhraseMessage
 from .models import LiveModels
 from .mouth import MouthShape, StreamingMouth
 from .movements import Movements
@@ -51,6 +52,7 @@ class LiveSession:
         self._movements = Movements(models.table, self._placer)
         self._attention = Attention(models.table, self._placer, behavior.head_rates)
         self._body = _body(models, options)
+        self._player = None if models.motion is None else UnitPlayer(models.motion, options.search)
         self._agenda = Agenda()
         self._phrases: tuple[PerformedPhrase, ...] = ()
         self._waiting: tuple[str, ...] = ()
@@ -138,11 +140,17 @@ class LiveSession:
                 self._movements.release()
             if not self._is_worded():
                 yield from self._kept(self._attention.spoken(edge, self.heard_s))
-        for event in self._events.hear(energy_db, f0_hz, self.heard_s):
-            if not self._is_worded():
+        heard = () if self._player is None else self._player.hear(energy_db, f0_hz)
+        yield from (PhraseMessage(phrase, self.heard_s) for phrase in heard)
+        yield from self._moved_by_voice(self._events.hear(energy_db, f0_hz, self.heard_s))
+
+    def _moved_by_voice(self, events: Iterable[LiveEvent]) -> Iterator[LiveMessage]:
+        if self._is_worded():
+            return
+        for event in events:
+            if not self._moves(event.part):
                 yield from self._kept(self._movements.moved(event, self.heard_s))
-        if not self._is_worded():
-            yield from self._kept(self._movements.passed(self.heard_s))
+        yield from self._kept(self._movements.passed(self.heard_s))
 
     def _listened(self, samples: FloatArray) -> Iterator[LiveMessage]:
         """Messages from the other's voice."""
@@ -180,9 +188,20 @@ class LiveSession:
         while len(self._shapes) > 1 and self._shapes[1].at_s < until_s:
             self._shapes.pop(0)
 
+    def _moves(self, part: str) -> bool:
+        """Whether a motion model moves this part of the body."""
+        return self._player is not None and (part == "hands" or part in self._player.joints)
+
     def _frames(self) -> tuple[BodyFrame, ...]:
         self._ask()
-        return () if self._body is None else self._body.frames_until(self.heard_s, self._shapes)
+        frames = () if self._body is None else self._body.frames_until(self.heard_s, self._shapes)
+        return frames if self._player is None else tuple(self._by_units(each, self._player) for each in frames)
+
+    def _by_units(self, frame: BodyFrame, player: UnitPlayer) -> BodyFrame:
+        """The frame with the joints that the motion model moves."""
+        at, rotations = self._models.understudy.realizer.skeleton.chain(*player.joints), frame.rotations.copy()
+        rotations[at] = player.pose(rotations[at], frame.at_s)
+        return replace(frame, rotations=rotations)
 
     def _ask(self) -> None:
         if self._body is not None:

@@ -9,7 +9,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from ..errors import InputError, UndecodableError, UnderstudyError, shown
 from ..live.body import BodyFrame
-from ..live.messages import LiveMessage, LiveOptions, MouthMessage, WithdrawalMessage
+from ..live.messages import LiveMessage, LiveOptions, MouthMessage, PhraseMessage, WithdrawalMessage
 from ..live.words import TimedText
 from ..model import Behavior, FloatArray, Interval
 from ..option_table import PERFORMANCE
@@ -130,13 +130,16 @@ def to_ready(options: LiveOptions, joints: tuple[str, ...]) -> str:
 
 def to_json(told: LiveMessage) -> str:
     """A message of the service: the behaviour's kind is its type (`gesture`, `head`, `face`, `gaze`, `eyes`,
-    `posture`), else `withdrawn`, `mouth`, `frame`."""
+    `posture`), else `withdrawn`, `mouth`, `phrase` of a motion model, `frame`."""
     match told:
         case BodyFrame():
             return _frame(told)
         case MouthMessage(shape=shape, heard_s=heard_s):
             fields = {"start_s": shape.at_s, "viseme": shape.viseme, "articulation": shape.articulation}
             return _json("mouth", heard_s, fields | {"opening": shape.opening})
+        case PhraseMessage(phrase=phrase, heard_s=heard_s):
+            fields = {"kind": phrase.kind, "start_s": phrase.start_s, "decided": phrase.decided}
+            return _json("phrase", heard_s, fields)
         case WithdrawalMessage(id=name, heard_s=heard_s):
             return _json("withdrawn", heard_s, {"id": name})
     fields = _behavior(told.behavior) | ({"revised": True} if told.revised else {})

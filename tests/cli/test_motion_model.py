@@ -158,3 +158,24 @@ def test_a_single_recording_cannot_be_left_out(tmp_path: Path, capsys: Captured)
     write_bvh(tmp_path, "a_0")
     assert main(["motion-model", "score", str(tmp_path), "--kinds", "3"]) == 2
     assert "a single recording: give two at least" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("search", [[], ["--search", "5", "3"]])
+def test_live_speech_is_moved_by_units(model: Path, capsys: Captured, search: list[str]) -> None:
+    """Phrases are announced, then decided; the right arm hangs as in the recordings, and the body makes no beats."""
+    assert main(["live", AUDIO, "--model", str(model), "--frames", "30", "--quiet", *search]) == 0
+    ready, *told = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    phrases = [each for each in told if each["type"] == "phrase"]
+    assert {each["decided"] for each in phrases} == {True, False}
+    announced = [each for each in phrases if not each["decided"]]
+    assert max(each["heard_s"] - each["start_s"] for each in announced) < 0.5
+    assert not [each for each in told if each["type"] == "gesture"]
+    place = ready["joints"].index("rightUpperArm")
+    last = [each for each in told if each["type"] == "frame"][-30]
+    x, y, z, w = np.reshape(last["rotations"], (-1, 4))[place]
+    assert 2 * (x * y + w * z) == pytest.approx(1, abs=0.02), "the x axis of the hanging arm points up"
+
+
+def test_a_search_needs_a_model(capsys: Captured) -> None:
+    assert main(["live", AUDIO, "--search", "5", "3"]) == 2
+    assert "give its --model" in capsys.readouterr().err

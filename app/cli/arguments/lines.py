@@ -119,6 +119,10 @@ def add_live(add: Adding) -> None:
     parser.add_argument(
         "--live-link-face", metavar="HOST:PORT", help="move a face there, as the app Live Link Face does (port 11111)"
     )
+    told = "arms, trunk and head by a motion model, from understudy motion-model train"
+    parser.add_argument("--model", metavar="MODEL", type=InputFile, help=told)
+    told = "search its path by durations of 1, 1 + M, 1 + 2 M … frames after the N best kinds (default: all)"
+    parser.add_argument("--search", metavar=("M", "N"), type=int, nargs=2, help=told)
     add_options(parser, PERFORMANCE, "character")
     add_option(parser, PERFORMANCE["seed"], help="another number draws other movements (default 0)")
     add_output(parser, "OUT.jsonl", "where the lines go (default: standard output)", default=STANDARD)

@@ -16,6 +16,7 @@ from typing import BinaryIO, TextIO
 
 from ...errors import InputError
 from ...library.hearing import audio_limits, read_audio
+from ...library.motion_models import Search, read_motion_model
 from ...live.avatars.sending import FrameSender
 from ...live.body import BodyFrame
 from ...live.messages import LiveMessage, LiveOptions
@@ -38,7 +39,10 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     _check_rate(arguments.rate, settings)
     moves_avatars = any(avatar_addresses(arguments))
     rate_hz, chunks = _sound(arguments, settings, log)
-    options = LiveOptions(rate_hz, arguments.character, arguments.seed, arguments.frames)
+    model = read_motion_model(arguments.model) if arguments.model else None
+    options = replace(
+        LiveOptions(rate_hz, arguments.character, arguments.seed, arguments.frames), search=_search(arguments)
+    )
     if moves_avatars and not options.frame_rate_hz:
         options = replace(options, frame_rate_hz=AVATAR_FRAME_RATE_HZ)
     with ExitStack() as stack:
@@ -49,7 +53,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
             senders = avatar_senders(arguments, understudy, options.frame_rate_hz or AVATAR_FRAME_RATE_HZ, stack)
             chunks = chunks if arguments.microphone else _paced(chunks, rate_hz)
         sink = _Sink(out, senders, tells_frames=arguments.frames is not None)
-        _perform(LiveModels.load(understudy), options, chunks, sink)
+        _perform(replace(LiveModels.load(understudy), motion=model), options, chunks, sink)
     return 0
 
 
@@ -71,6 +75,16 @@ class _Sink:
                 sender.send(told)
         if not isinstance(told, BodyFrame) or self.tells_frames:
             self.line(to_json(told))
+
+
+def _search(arguments: argparse.Namespace) -> Search:
+    """RTS' m and n. Raises InputError `value_wrong`, `usage`."""
+    step, best = arguments.search or (1, None)
+    if arguments.search and not arguments.model:
+        raise InputError("usage", "--search is how a motion model's path is searched; give its --model")
+    if step < 1 or (best is not None and best < 1):
+        raise InputError("value_wrong", f"--search {step} {best}; give 1 or more for both", field="search")
+    return Search(step, best)
 
 
 def _opened(path: str) -> TextIO:

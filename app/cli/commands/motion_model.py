@@ -11,6 +11,7 @@ from ...errors import InputError
 from ...library.motion_models import Search, read_pairs, scenario_named, score_motion_models, train_motion_model
 from ...models import load_realizer
 from ...option_table import LARGEST_SEED
+from ...progress import Progress
 from ...settings import read_settings
 from ..files import require_writable, write
 from ..log import Log
@@ -25,8 +26,8 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 def _train(arguments: argparse.Namespace, log: Log) -> int:
     require_writable(arguments.output, field="output")
     _check(arguments)
-    pairs = read_pairs(Path(arguments.folder), load_realizer(), read_settings(), log.progress)
-    model = train_motion_model(pairs, kinds=arguments.kinds, seed=arguments.seed, progress=log.progress)
+    pairs = read_pairs(Path(arguments.folder), load_realizer(), read_settings(), _progress(log))
+    model = train_motion_model(pairs, kinds=arguments.kinds, seed=arguments.seed, progress=_progress(log))
     content = model.content()
     write(arguments.output, content)
     parts = f"{len(model.units)} units that move {len(model.joints)} joints, {len(content) / 1000:.0f} kB"
@@ -41,11 +42,11 @@ def _score(arguments: argparse.Namespace, log: Log) -> int:
         require_plot(arguments.plot)
     _check(arguments)
     scenarios = [scenario_named(name).name for name in arguments.scenario]
-    pairs = read_pairs(Path(arguments.folder), load_realizer(), read_settings(), log.progress)
+    pairs = read_pairs(Path(arguments.folder), load_realizer(), read_settings(), _progress(log))
     chosen = {"scenarios": scenarios} if scenarios else {}
     searches = [Search(step, best) for step, best in THEIR_SEARCHES] if arguments.search else []
     scores = score_motion_models(
-        pairs, kinds=arguments.kinds, seed=arguments.seed, searches=searches, progress=log.progress, **chosen
+        pairs, kinds=arguments.kinds, seed=arguments.seed, searches=searches, progress=_progress(log), **chosen
     )
     sys.stdout.write(told(scores))
     if arguments.output:
@@ -53,6 +54,16 @@ def _score(arguments: argparse.Namespace, log: Log) -> int:
     if arguments.plot:
         write(arguments.plot, draw_scores(scores))
     return 0
+
+
+def _progress(log: Log) -> Progress:
+    """Tells people and machines what is done."""
+
+    def tell(stage: str) -> None:
+        log.stage(stage)
+        log.progress(stage)
+
+    return tell
 
 
 def _check(arguments: argparse.Namespace) -> None:
