@@ -1,6 +1,6 @@
 """The schedule: behaviours with their times, visemes, and the input of the realizer (paper §3.8)."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from .body import Channel, Hand
@@ -126,7 +126,9 @@ class Schedule:
     which clips are chosen, `character` who moves. The recording starts at `lead_in_s`. `stillness` (0 to 1) reduces
     idle movement: at 1 the body only breathes. With `singletons` the hands return to rest after every gesture if there
     is time, instead of joining close ones into units (NGS §4.1). `targets` are the points it looks and points at,
-    `functions` those of the words, for information: BML has none, and nothing that is played depends on them.
+    `functions` those of the words, for information: BML has none, and nothing that is played depends on them. `asked`
+    names the sync points that a document states, by behaviour: these are to be met, the others of the same behaviour
+    are estimates. What is not in it is our own, and begins when it says but comes to rest in its own time.
     """
 
     behaviors: tuple[Behavior, ...]
@@ -142,3 +144,4 @@ class Schedule:
     singletons: bool = False
     targets: tuple[Target, ...] = ()
     functions: tuple[Function, ...] = field(default=(), compare=False)
+    asked: Mapping[str, frozenset[str]] = field(default_factory=dict)

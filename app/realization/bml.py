@@ -78,10 +78,17 @@ def prepare_schedule(
         character=character or resolved.character or DEFAULT_CHARACTER,
         stillness=_together(record.stillness if record else 0.0, stillness),
         targets=scene_of(behaviors, targets, resolved.targets, resolved.places),
+        asked=_asked(resolved, record),
     )
     told = (*notices, *speech.notices, *resolved.notices, *lip_notices)
     recorded = record.seed if record and record.seed is not None else 0
     return PreparedSchedule(prepared, told, recorded if seed is None else seed)
+
+
+def _asked(resolved: Resolved, record: Record | None) -> dict[str, frozenset[str]]:
+    """The sync points that the author of the file states: all but those of a performance as it was scheduled."""
+    others = [each.id for each in resolved.behaviors if not (record and record.is_as_scheduled(each))]
+    return {name: resolved.stated[name] for name in others}
 
 
 def _read(sheet: BmlInput) -> tuple[Document, tuple[Notice, ...]]:

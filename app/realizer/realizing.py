@@ -173,7 +173,7 @@ def _decided(
         *unplayable_behaviors(schedule, targets_m=targets_m),
         *unknown_faces(realizer.face.lexemes, schedule.behaviors),
     )
-    return (*decisions, *timing_deviations(schedule.behaviors, realized, decisions))
+    return (*decisions, *timing_deviations(schedule.behaviors, realized, decisions, schedule.asked))
 
 
 def _moving_body(

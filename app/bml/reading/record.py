@@ -54,6 +54,15 @@ class Record:
             reason=_text(found, "reason"),
         )
 
+    def is_as_scheduled(self, behavior: Behavior) -> bool:
+        """Whether the behaviour is recorded, and is no gesture whose end was moved by hand."""
+        own = self.behaviors.get(behavior.id)
+        if own is None or behavior.kind is not Channel.GESTURE:
+            return own is not None
+        lasting_s = (_text(own.attributes, "phases") or "").split()
+        relax_s = behavior.sync.end if behavior.sync.relax is None else behavior.sync.relax
+        return not lasting_s or abs(float(lasting_s[-1]) - (behavior.sync.end - relax_s)) <= 2 * FIRST_MOMENT_S
+
 
 def _from_the_first_moment(sync: SyncPoints, phases: str) -> SyncPoints:
     """The points as scheduled: those at 0 are written at `FIRST_MOMENT_S` where times are relative to marks."""

@@ -8,7 +8,7 @@ body movements, or have no time, are left out with a Notice. SmartBody's gazes l
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import TypeGuard
 
@@ -44,7 +44,8 @@ _UNPLAYED = ("a body alone has no way to play it", "one recording has one speech
 class Resolved:
     """A document's behaviours in order of time, and the words of its speech at times of the block, in which the speech
     starts at `speech_start_s`. Visemes, agitation and character are set if the document states them, as SmartBody's
-    dialect may. `places` are the targets that behaviours name by their coordinates."""
+    dialect may. `places` are the targets that behaviours name by their coordinates, `stated` the sync points that are
+    no estimates, by behaviour."""
 
     behaviors: tuple[Behavior, ...]
     words: tuple[Word, ...]
@@ -55,6 +56,7 @@ class Resolved:
     speech_start_s: float = 0.0
     targets: tuple[Target, ...] = ()
     places: tuple[Target, ...] = ()
+    stated: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,6 +97,7 @@ def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
         speech_start_s=start_s,
         targets=pawns_of(document.root),
         places=places,
+        stated={each.id: frozenset(_NAMES.get(name, name) for name in each.times) for each in stated},
     )
 
 

@@ -28,6 +28,8 @@ _USUAL_POWER = 0.5
 """A stroke that is quick stops abruptly by itself; more power would make its middle faster still."""
 _MOST_M_S = 1.40
 """From key to key: wrists stay below 3 m/s."""
+_SLOWEST = 2.0
+"""How many times as long as it is a stroke may be made."""
 _LEAST_SIZE = 0.5
 """Gestures that are asked to be smaller than this stay as small."""
 _SHORTEST_M = 0.05
@@ -43,8 +45,11 @@ _LEVELS = (Level.LOW, Level.MEDIUM, Level.HIGH)
 
 
 def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -> PlacedGesture:
-    """The gesture with a stroke as fast as is drawn for it; unchanged where it is as fast already."""
+    """The gesture with a stroke as fast as is drawn for it, or as long as it is asked to be; unchanged where it is as
+    fast already."""
     clip = placed.clip
+    if placed.request.asked.stroke_s is not None:
+        return _lasting(placed, placed.request.asked.stroke_s)
     pace = float(rng.uniform(*strokes.variety))
     level = _LEVELS.index(clip.level)
     wanted_m_s = min(strokes.fastest_m_s[level], pace * strokes.speed_m_s[level] * _tenseness(placed))
@@ -56,6 +61,13 @@ def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -
     share = max(share, fastest_m_s / _MOST_M_S)
     share = max(share, _CAREFUL) if _is_close(placed) else share
     return placed if share >= 1 else replace(placed, clip=quickened(clip, share))
+
+
+def _lasting(placed: PlacedGesture, length_s: float) -> PlacedGesture:
+    """The gesture with a stroke of this length, within what a hand can do and still strikes."""
+    stroke_s = placed.clip.markers.stroke_end - placed.clip.markers.stroke_start
+    fastest = max(_stroke_m(placed)[1] / _MOST_M_S, min(1.0, _LEAST_S / stroke_s))
+    return replace(placed, clip=quickened(placed.clip, min(max(length_s / stroke_s, fastest), _SLOWEST)))
 
 
 def _is_close(placed: PlacedGesture) -> bool:

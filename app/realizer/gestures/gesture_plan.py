@@ -22,13 +22,29 @@ USUAL_MANNER = Manner()
 
 
 @dataclass(frozen=True, slots=True)
+class AskedTimes:
+    """When the way to a gesture is to begin and to be over, how long its stroke is to take, and when its hold and the
+    way to rest are to end; None leaves it to the clip."""
+
+    start_s: float | None = None
+    ready_s: float | None = None
+    stroke_s: float | None = None
+    relax_s: float | None = None
+    end_s: float | None = None
+
+
+NOTHING_ASKED = AskedTimes()
+
+
+@dataclass(frozen=True, slots=True)
 class GestureRequest:
     """A gesture of the schedule: category, desired stroke and relax time, priority (paper §3.8, eq. 4), and what our
     BML adds: hand, level of agitation, size (1 as defined), the name of a target, the longest that its stroke may take,
     where it says that, and the ends of further strokes, seconds after that of the main one (None: as the emphases of
     the speech have it). A still body makes the whole gesture smaller by the factor `scale`; the stroke of one
     that is `curved` is an arc. `manner` is how the voice at the stroke has it made, `slots` what its words say of size,
-    number and place, `way` the sectors from and to which its stroke leads."""
+    number and place, `way` the sectors from and to which its stroke leads. `asked` has times beside the
+    stroke's that are to be met."""
 
     behavior: str
     category: str
@@ -46,6 +62,7 @@ class GestureRequest:
     manner: Manner = USUAL_MANNER
     slots: Slots | None = None
     way: Way | None = None
+    asked: AskedTimes = NOTHING_ASKED
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,8 @@
 
 A gesture that blends into the next is held until the transition is as fast as the next stroke (paper §3.8); otherwise
 the arm returns to rest. A preparation from rest takes its natural time, more for long ways, less if there is less time;
-the pre-stroke hold is shortened first. Both arms of a unit take the same rest pose after it.
+the pre-stroke hold is shortened first. Where it is asked when a way begins or ends, the hand is slower or faster on it
+within limits, and holds for the rest of the time. Both arms of a unit take the same rest pose after it.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -31,6 +32,9 @@ from .transitions import TransitionContext, blends, in_same_unit, natural_prepar
 SHORTEST_STAY_S = 1.0
 """A hand does not go to a rest pose that changes again within this time."""
 
+
+MOST_STRETCHED = 1.5
+"""How many times its natural time a way may take before a hold fills the time instead."""
 
 HURRIED_RETRACTION = 0.75
 """The share of its natural time in which the last retraction is made at the fastest."""
@@ -124,11 +128,17 @@ def _between(
         relax_s = prolonged_relax_s(first, second, side)
         return _Way(relax_s, relax_s, relax_s, second.stroke_start_s, first, second, joined=True)
     there_s, back_s = _retraction_s(first, side, changes, setting), _preparation_s(second, side, changes)
-    window_s = second.stroke_start_s - first.relax_s
+    relax_s, arrival_s = _arrival(first, there_s, _shortest_to_rest_s(first, side, changes))
+    room_s = second.stroke_start_s - arrival_s - (0.0 if first.request.asked.end_s is not None else SHORTEST_REST_S)
+    asked = _departure(second, back_s, _shortest_from_rest_s(second, side, changes), room_s)
+    if asked is not None:
+        return _Way(relax_s, arrival_s, *asked, first, second)
+    there_s = arrival_s - relax_s
+    window_s = second.stroke_start_s - relax_s
     share = min(1.0, window_s / (there_s + back_s))
     hold_s = _hold_s(second, window_s - there_s - back_s - SHORTEST_REST_S)
     ready_s = second.stroke_start_s - hold_s
-    return _Way(first.relax_s, first.relax_s + share * there_s, ready_s - share * back_s, ready_s, first, second)
+    return _Way(relax_s, relax_s + share * there_s, ready_s - share * back_s, ready_s, first, second)
 
 
 def _from_the_first_frame(
@@ -136,12 +146,15 @@ def _from_the_first_frame(
 ) -> _Way:
     """The way to the first gesture. Speakers raise their hands before the first word, so if there is too little time,
     part of the way has already been covered in the first frame."""
+    natural_s, shortest_s = _preparation_s(first, side, changes), _shortest_from_rest_s(first, side, changes)
+    asked = _departure(first, natural_s, shortest_s, first.stroke_start_s)
+    if asked is not None:
+        return _Way(0.0, 0.0, *asked, None, first)
     still_s = min(setting.style.ends.still_s, max(0.0, first.stroke_start_s))
     window_s = max(0.0, first.stroke_start_s - still_s)
-    way_s = min(_preparation_s(first, side, changes), window_s)
+    way_s = min(natural_s, window_s)
     ready_s = still_s + window_s - _hold_s(first, window_s - way_s)
-    hurried = shortest_way_s(rest_way_m(changes[0].pose, side, stroke_start_m(first, side)))
-    progress = max(0.0, 1.0 - window_s / hurried)
+    progress = max(0.0, 1.0 - window_s / shortest_s)
     return _Way(0.0, 0.0, max(still_s, ready_s - way_s), ready_s, None, first, initial_progress=progress)
 
 
@@ -149,12 +162,55 @@ def _to_rest(last: PlacedGesture, side: Hand, changes: tuple[RestChange, ...], s
     """The last way to rest, a little faster if that is what it takes to arrive before the end; where that is not enough
     and the body is to end still, the hand stays where it is."""
     natural_s, least_s = _retraction_s(last, side, changes, setting), setting.style.ends.still_s
+    if last.request.asked.end_s is not None:
+        relax_s, arrival_s = _arrival(last, natural_s, _shortest_to_rest_s(last, side, changes))
+        return _Way(relax_s, arrival_s, inf, inf, last)
     left_s = setting.end_s - last.relax_s
     if least_s and left_s - least_s < HURRIED_RETRACTION * natural_s:
         relax_s = max(last.relax_s, setting.end_s)
         return _Way(relax_s, relax_s + natural_s, inf, inf, last)
     there_s = min(natural_s, max(left_s - least_s, HURRIED_RETRACTION * natural_s))
     return _Way(last.relax_s, last.relax_s + there_s, inf, inf, last)
+
+
+def _departure(
+    gesture: PlacedGesture, natural_s: float, shortest_s: float, room_s: float
+) -> tuple[float, float] | None:
+    """When the hand departs and is ready, if it can depart when it is asked to or, with less time before the stroke
+    (`room_s`), as soon as there is any; None if that leaves too little time or nothing is asked."""
+    asked = gesture.request.asked
+    if asked.start_s is None:
+        return None
+    whole_s = max(min(gesture.stroke_start_s - asked.start_s, room_s), shortest_s)
+    if whole_s > room_s:
+        return None
+    hold_s = max(_hold_s(gesture, whole_s - natural_s), whole_s - MOST_STRETCHED * natural_s)
+    if asked.ready_s is not None:
+        hold_s = min(max(gesture.stroke_start_s - asked.ready_s, 0.0), whole_s - shortest_s)
+    return gesture.stroke_start_s - whole_s, gesture.stroke_start_s - hold_s
+
+
+def _arrival(gesture: PlacedGesture, natural_s: float, shortest_s: float) -> tuple[float, float]:
+    """When the hold ends and the hand is at rest: if it is asked when, at that time within limits of speed."""
+    asked = gesture.request.asked
+    end_s = asked.end_s
+    if end_s is None:
+        return gesture.relax_s, gesture.relax_s + natural_s
+    earliest_s = max([gesture.stroke_end_s, *(each.end_s for each in gesture.repeats)])
+    latest_s = max(earliest_s, end_s - shortest_s)
+    slow_s = 0.0 if asked.relax_s is not None else end_s - MOST_STRETCHED * natural_s
+    relax_s = min(max(gesture.relax_s, slow_s), latest_s)
+    return relax_s, max(end_s, relax_s + shortest_s)
+
+
+def _shortest_from_rest_s(gesture: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> float:
+    pose = pose_at(changes, max(0.0, gesture.stroke_start_s - natural_preparation_s(gesture)))
+    return shortest_way_s(rest_way_m(pose, side, stroke_start_m(gesture, side)))
+
+
+def _shortest_to_rest_s(gesture: PlacedGesture, side: Hand, changes: tuple[RestChange, ...]) -> float:
+    pose = pose_on_arrival(changes, gesture.relax_s + SHORTEST_RETRACTION_S)
+    return shortest_way_s(rest_way_m(pose, side, relax_m(gesture, side)))
 
 
 def _hold_s(gesture: PlacedGesture, room_s: float) -> float:

@@ -276,6 +276,6 @@ def _told(arm: ArmGesture) -> Iterator[Decision]:
     if arm.beats:
         times = ", ".join(f"{beat.end_s:.2f}" for beat in arm.beats)
         yield Decision(arm.behavior, "repeated", f"beats instead of a long hold, at {times} s")
-    if markers.relax - gesture.relax_s > _NOTICEABLE_S:
+    if arm.blended_to is not None and markers.relax - gesture.relax_s > _NOTICEABLE_S:
         reason = f"{markers.relax - gesture.relax_s:.2f} s longer, to reach {arm.blended_to} at the speed of its stroke"
         yield Decision(arm.behavior, "held", reason)

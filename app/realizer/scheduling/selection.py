@@ -21,12 +21,15 @@ from ...model.limits.gesture_limits import LATEST_S, is_brief, size_of
 from ..body.motion import Decision
 from ..gestures.brief_strokes import brief
 from ..gestures.gesture import Clip
-from ..gestures.gesture_plan import USUAL_MANNER, GestureRequest, PlacedGesture
+from ..gestures.gesture_plan import USUAL_MANNER, AskedTimes, GestureRequest, PlacedGesture
 from ..gestures.mannered import mannered
 
 _ROUNDING_S = 0.002
 """A stroke that is before the first frame by no more is not late: times of schedules are whole milliseconds."""
 TOLERANCE_S = 0.1
+
+_ASKED_BY_US = frozenset({"start"})
+_STROKE = frozenset({"stroke_start", "stroke_end"})
 
 
 class Clips(Protocol):
@@ -40,14 +43,14 @@ class Clips(Protocol):
 def requests_of(schedule: Schedule) -> tuple[GestureRequest, ...]:
     """The requests G_i for a schedule's kept gestures (eq. 4), in order of their strokes."""
     gestures = (each for each in schedule.behaviors if each.kept and each.kind is Channel.GESTURE)
-    requests = (_request(gesture, schedule.agitation, 1 - schedule.stillness) for gesture in gestures)
+    requests = (_request(gesture, schedule) for gesture in gestures)
     return tuple(sorted(requests, key=lambda request: (request.stroke_s, request.behavior)))
 
 
-def _request(gesture: Behavior, level: Level, lively: float) -> GestureRequest:
+def _request(gesture: Behavior, schedule: Schedule) -> GestureRequest:
     """BML sync points are optional: without a stroke it is where the stroke ends, or where the gesture begins. The
-    amount of a still body's gesture is `lively` (0 to 1) times that for which the schedule was made."""
-    sync = gesture.sync
+    amount of a still body's gesture is that for which the schedule was made, times how little still the body is."""
+    sync, lively, asked = gesture.sync, 1 - schedule.stillness, schedule.asked.get(gesture.id, _ASKED_BY_US)
     stroke_s = next((point for point in (sync.stroke, sync.stroke_end, sync.stroke_start) if point is not None), None)
     stroke_s = sync.start if stroke_s is None else stroke_s
     manner = gesture.manner or USUAL_MANNER
@@ -59,7 +62,7 @@ def _request(gesture: Behavior, level: Level, lively: float) -> GestureRequest:
         relax_s=max(relax_s, stroke_s),
         priority=gesture.priority,
         hand=gesture.hand or Hand.RIGHT,
-        level=level,
+        level=schedule.agitation,
         size=size_of(lively and gesture.amount and gesture.amount / lively) * manner.amplitude,
         scale=sqrt(lively),
         curved=gesture.curved,
@@ -69,7 +72,14 @@ def _request(gesture: Behavior, level: Level, lively: float) -> GestureRequest:
         manner=manner,
         slots=gesture.slots,
         way=gesture.way,
+        asked=_asked_times(sync, asked),
     )
+
+
+def _asked_times(sync: SyncPoints, asked: frozenset[str]) -> AskedTimes:
+    times_s = dict(sync.in_order())
+    points = {f"{name}_s": times_s.get(name) for name in ("start", "ready", "relax", "end") if name in asked}
+    return AskedTimes(stroke_s=_longest_stroke_s(sync) if asked >= _STROKE else None, **points)
 
 
 def _longest_stroke_s(sync: SyncPoints) -> float:

@@ -72,8 +72,8 @@ def gap_s(first: PlacedGesture, second: PlacedGesture) -> float:
 
 
 def in_same_unit(first: PlacedGesture, second: PlacedGesture, setting: TransitionContext) -> bool:
-    """Whether two neighbours are close enough for one unit and in the same phrase."""
-    if setting.singletons:
+    """Whether two neighbours are close enough for one unit and in the same phrase, and nobody asks for a rest."""
+    if setting.singletons or _rest_is_asked(first, second):
         return False
     same = setting.phrase_of(first.request.stroke_s) == setting.phrase_of(second.request.stroke_s)
     return same and gap_s(first, second) < UNIT_GAP_S
@@ -88,9 +88,14 @@ def _rest_between_s(first: PlacedGesture, second: PlacedGesture, side: Hand, set
     """The time needed to return to rest and come back."""
     pose = setting.pose_in_gap(first.relax_s, gap_s(first, second))
     there_m, back_m = (rest_way_m(pose, side, at_m) for at_m in (relax_m(first, side), stroke_start_m(second, side)))
-    if setting.singletons:
+    if setting.singletons or _rest_is_asked(first, second):
         return shortest_way_s(there_m) + shortest_way_s(back_m)
     return setting.retraction_s(first, there_m) + SHORTEST_REST_S + preparation_s(back_m, natural_preparation_s(second))
+
+
+def _rest_is_asked(first: PlacedGesture, second: PlacedGesture) -> bool:
+    ends_s, begins_s = first.request.asked.end_s, second.request.asked.start_s
+    return ends_s is not None and begins_s is not None and ends_s <= begins_s
 
 
 def natural_preparation_s(placed: PlacedGesture) -> float:

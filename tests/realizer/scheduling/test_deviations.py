@@ -1,4 +1,4 @@
-"""What begins or ends at another time than it was asked for is told."""
+"""What is asked for is played in its time where hands can, and told where they cannot."""
 
 import pytest
 
@@ -8,20 +8,27 @@ from understudy.realizer.body.motion import Decision
 from understudy.realizer.realizing import realize
 from understudy.realizer.scheduling.deviations import timing_deviations
 
-ASKED = Behavior("g1", Channel.GESTURE, "BEAT", SyncPoints(1.0, 3.0), 0, 0, 1.0, hand=Hand.RIGHT)
+ASKED = Behavior("g1", Channel.GESTURE, "BEAT", SyncPoints(1.0, 3.0, stroke=1.95), 0, 0, 1.0, hand=Hand.RIGHT)
 
 
-def test_a_beat_for_which_two_seconds_were_asked_says_what_it_takes() -> None:
-    motion = realize(load_realizer(), Schedule((ASKED,), 4.0), frame_rate_hz=30)
+def test_a_beat_from_1_to_3_is_played_from_1_to_3() -> None:
+    """The hand takes its time on both ways; nothing is left to tell."""
+    schedule = Schedule((ASKED,), 4.0, asked={"g1": frozenset({"start", "end"})})
+    motion = realize(load_realizer(), schedule, frame_rate_hz=30)
     made = motion.realized["g1"]
-    told = [each for each in motion.decisions if each.action == "timed"]
-    parts = []
-    if abs(made.start - 1.0) >= 0.05:
-        parts.append(f"begins at {made.start:.2f} s, not at 1.00 s")
-    if abs(made.end - 3.0) >= 0.05:
-        parts.append(f"ends at {made.end:.2f} s, not at 3.00 s")
-    assert parts
-    assert told == [Decision("g1", "timed", "; ".join(parts))]
+    assert (made.start, made.end) == pytest.approx((1.0, 3.0), abs=1e-6)
+    assert [each for each in motion.decisions if each.action == "timed"] == []
+
+
+def test_what_hands_cannot_do_in_the_time_is_told_with_both_times() -> None:
+    asked = Behavior("g1", Channel.GESTURE, "BEAT", SyncPoints(1.0, 1.15, stroke=1.1), 0, 0, 1.0, hand=Hand.RIGHT)
+    schedule = Schedule((asked,), 4.0, asked={"g1": frozenset({"start", "stroke", "end"})})
+    motion = realize(load_realizer(), schedule, frame_rate_hz=30)
+    made = motion.realized["g1"]
+    assert made.stroke == pytest.approx(1.1)
+    (told,) = (each for each in motion.decisions if each.action == "timed")
+    reason = f"begins at {made.start:.2f} s, not at 1.00 s; ends at {made.end:.2f} s, not at 1.15 s"
+    assert told == Decision("g1", "timed", reason)
 
 
 @pytest.mark.parametrize(
@@ -37,4 +44,12 @@ def test_a_beat_for_which_two_seconds_were_asked_says_what_it_takes() -> None:
 )
 def test_what_is_told_is_not_told_twice(made: SyncPoints, decided: str | None, told: list[str]) -> None:
     decisions = [Decision("g1", decided, "why")] if decided else []
-    assert [each.reason for each in timing_deviations([ASKED], {"g1": made}, decisions)] == told
+    assert [each.reason for each in timing_deviations([ASKED], {"g1": made}, decisions, {})] == told
+
+
+def test_points_that_a_document_states_are_told_though_decisions_hint_at_them() -> None:
+    asked = Behavior("g1", Channel.GESTURE, "BEAT", SyncPoints(1.0, 3.0, stroke_end=1.8, relax=2.0), 0, 0, 1.0)
+    made = SyncPoints(1.0, 3.2, stroke_end=1.7, relax=2.4)
+    stated = {"g1": frozenset({"start", "relax", "end"})}
+    (told,) = timing_deviations([asked], {"g1": made}, [Decision("g1", "held", "why")], stated)
+    assert told.reason == "relaxes at 2.40 s, not at 2.00 s; ends at 3.20 s, not at 3.00 s"

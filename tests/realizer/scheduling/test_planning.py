@@ -401,3 +401,62 @@ def test_pointings_aim_at_places_that_are_known(
     plan = plan_gestures(clips, Schedule((pointing,), 4.0), seed=0, targets_m={"door": (3.0, 1.0, 1.0)})
     assert plan.gestures[0].placed.aim_m == (aim_m and pytest.approx(aim_m))
     assert actions(plan, "g1") == action
+
+
+def asked_for(*points: str, name: str = "g1", **times_s: float) -> tuple[Behavior, dict[str, frozenset[str]]]:
+    """A gesture with its stroke at 2 s, of which these points are asked for."""
+    sync = SyncPoints(**{"start": 1.0, "stroke": 2.0, "relax": times_s.get("stroke", 2.0) + 0.4, "end": 3.4, **times_s})
+    asked = Behavior(name, Channel.GESTURE, "GREETING", sync, 0, 0, 1.0, hand=Hand.RIGHT)
+    return asked, {name: frozenset(points)}
+
+
+def played(*gestures: tuple[Behavior, dict[str, frozenset[str]]]) -> list[Markers]:
+    """The markers of the right hand in a line that is 9 s long."""
+    asked = {name: points for _gesture, stated in gestures for name, points in stated.items()}
+    schedule = Schedule(tuple(gesture for gesture, _stated in gestures), 9.0, asked=asked)
+    return [each.markers for each in plan_gestures(library(clip()), schedule, seed=0).gestures]
+
+
+@pytest.mark.parametrize("start_s", [0.9, 1.2, 1.36])
+def test_a_way_begins_when_it_is_asked_to(start_s: float) -> None:
+    """The stroke starts at 1.7 s, and the clip's way takes .4 s."""
+    (made,) = played(asked_for("start", start=start_s))
+    assert made.start == pytest.approx(start_s)
+    assert made.stroke_start == pytest.approx(1.7)
+    assert made.ready - made.start <= 0.6 + 1e-9
+
+
+@pytest.mark.parametrize("end_s", [2.8, 3.4, 4.5])
+def test_a_way_to_rest_ends_when_it_is_asked_to(end_s: float) -> None:
+    (made,) = played(asked_for("end", end=end_s))
+    assert made.end == pytest.approx(end_s)
+    assert made.relax >= made.stroke_end
+
+
+def test_a_hold_ends_when_it_is_asked_to_however_slow_the_way_to_rest_is() -> None:
+    (made,) = played(asked_for("relax", "end", relax=2.5, end=4.5))
+    assert (made.relax, made.end) == pytest.approx((2.5, 4.5))
+
+
+def test_a_hand_is_ready_when_it_is_asked_to_be() -> None:
+    (made,) = played(asked_for("start", "ready", ready=1.5))
+    assert (made.start, made.ready) == pytest.approx((1.0, 1.5))
+
+
+@pytest.mark.parametrize(("asked_s", "made_s"), [(0.6, 0.6), (0.9, 0.9), (2.0, 1.0)])
+def test_a_stroke_is_stretched_up_to_twice_its_time(asked_s: float, made_s: float) -> None:
+    """The clip's takes .5 s, of which .3 s are before the emphasis."""
+    starts_s, ends_s = 2.0 - asked_s / 2, 2.0 + asked_s / 2
+    (made,) = played(
+        asked_for("stroke_start", "stroke_end", stroke_start=starts_s, stroke_end=ends_s, relax=3.5, end=4)
+    )
+    assert made.stroke_end - made.stroke_start == pytest.approx(made_s)
+    assert made.stroke == pytest.approx(2.0)
+
+
+def test_a_rest_that_is_asked_for_between_two_gestures_is_made() -> None:
+    first = asked_for("start", "end", start=1.0, stroke=1.6, end=2.4)
+    second = asked_for("start", "end", start=2.5, stroke=3.2, end=4.2, name="g2")
+    made, later = played(first, second)
+    assert made.end == pytest.approx(2.4)
+    assert later.start == pytest.approx(2.5)
