@@ -13,6 +13,7 @@ import time
 from collections import defaultdict
 from pathlib import Path
 
+from benchmarks.figures import add_record_option, record
 from understudy.bml.writing.writer import write_bml
 from understudy.model import Line
 from understudy.models import Understudy
@@ -59,6 +60,7 @@ def main() -> None:
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--lines", type=Path, default=LINES)
     arguments.add_argument("--repeats", type=int, default=5)
+    add_record_option(arguments)
     options = arguments.parse_args()
     lines = [
         Line(path.read_bytes(), path.with_suffix(".txt").read_text()) for path in sorted(options.lines.glob("*.flac"))
@@ -80,6 +82,11 @@ def main() -> None:
     rules_ms = 1000 * (totals["functions"] + totals["mapping"]) / len(lines)
     print(f"function and mapping rules {rules_ms:.2f} ms a line")
     print(f"resident memory {megabytes:.0f} MB, the aligner's process included")
+    if options.record:
+        whole = sum(totals.values()) / audio_s
+        record("speed", "whole performance, one core", whole, "× real time", bar="≤ 0.029", aim="≤ 0.020")
+        record("speed", "function and mapping rules of a line", rules_ms, "ms")
+        record("speed", "memory of a performance", megabytes, "MB", bar="≤ 350", aim="≤ 280")
 
 
 if __name__ == "__main__":

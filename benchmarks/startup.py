@@ -20,6 +20,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from benchmarks.figures import add_record_option, record
+
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 LINE = (str(EXAMPLES / "example.flac"), "--text-file", str(EXAMPLES / "example.txt"))
 
@@ -47,6 +49,12 @@ COMMANDS = (
     Command(("gestures", "list")),
     Command(("characters", "list")),
 )
+RECORDED = {
+    COMMANDS[0].name: ("--help", "≤ 0.3", "≤ 0.2"),
+    COMMANDS[1].name: ("functions", "≤ 1.0", "≤ 0.6"),
+    COMMANDS[3].name: ("perform", "≤ 2.0", "≤ 1.2"),
+}
+"""The figures that are kept, with what they must reach and what we aim for."""
 LIBROSA = {
     "numpy and scipy.fft": "import numpy, scipy.fft",
     "and librosa.filters": "import numpy, scipy.fft; from librosa.filters import mel",
@@ -83,8 +91,9 @@ def median_cost(command: Sequence[str], runs: int, environment: Mapping[str, str
     return Cost(statistics.median(c.processor_s for c in costs), statistics.median(c.memory_mb for c in costs))
 
 
-def tell_commands(runs: int, before: Path | None) -> None:
-    """A line for each command."""
+def tell_commands(runs: int, before: Path | None) -> dict[str, Cost]:
+    """Prints a line for each command; returns what each costs, by its name, with the cache kept."""
+    costs = {}
     print(f"{'command':44s} {'kept':>7s} {'MB':>5s} {'off':>7s} {'MB':>5s} {'before':>7s} {'share':>6s}   bar (share)")
     with tempfile.TemporaryDirectory() as folder:
         kept = os.environ | {"UNDERSTUDY_CACHE": str(Path(folder) / "cache")}
@@ -93,6 +102,7 @@ def tell_commands(runs: int, before: Path | None) -> None:
             called = (sys.executable, "-m", "understudy.cli", *command.arguments)
             cost_of(called, kept, folder)
             with_it, without = (median_cost(called, runs, each, folder) for each in (kept, off))
+            costs[command.name] = with_it
             told = f"{command.name:44s} {with_it.processor_s:5.2f} s {with_it.memory_mb:5.0f} "
             told += f"{without.processor_s:5.2f} s {without.memory_mb:5.0f} "
             if before is not None:
@@ -103,6 +113,7 @@ def tell_commands(runs: int, before: Path | None) -> None:
             else:
                 told += " " * 15
             print(told + _bar(command))
+    return costs
 
 
 def _bar(command: Command) -> str:
@@ -125,8 +136,12 @@ def main() -> None:
     arguments.add_argument("--runs", type=int, default=5)
     arguments.add_argument("--before", type=Path, metavar="CHECKOUT", help="an earlier checkout to compare with")
     arguments.add_argument("--librosa", action="store_true", help="tell what importing librosa costs as well")
+    add_record_option(arguments)
     options = arguments.parse_args()
-    tell_commands(options.runs, options.before)
+    costs = tell_commands(options.runs, options.before)
+    if options.record:
+        for name, (figure, bar, aim) in RECORDED.items():
+            record("speed", f"{figure}, cold, processor time", costs[name].processor_s, "s", bar=bar, aim=aim)
     if options.librosa:
         tell_librosa(options.runs)
 

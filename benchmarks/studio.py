@@ -21,6 +21,7 @@ from tempfile import TemporaryDirectory
 
 from playwright.sync_api import Browser, Page, ViewportSize, sync_playwright
 
+from benchmarks.figures import add_record_option, record
 from understudy.studio.pages import FOLDER
 
 FLAGS = ("--no-sandbox", "--disable-gpu", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
@@ -126,6 +127,7 @@ def _changes_ms(page: Page) -> list[float]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--url", help="a service that runs already")
+    add_record_option(parser)
     arguments = parser.parse_args()
     weight = sum(file.stat().st_size for file in FOLDER.rglob("*") if file.is_file())
     print(f"page weight        {weight / 1e6:6.2f} MB   (at most 4)")
@@ -141,6 +143,11 @@ def main() -> None:
         script, whole, frames = _script_ms_a_frame(page)
         print(f"script a frame     {script:6.2f} ms   (at most 6; {whole:.2f} with WebGL's own, {frames} frames)")
         browser.close()
+    if arguments.record:
+        record("studio", "page weight", weight / 1e6, "MB", bar="≤ 2")
+        record("studio", "first paint", statistics.median(paints), "ms", bar="≤ 150")
+        record("studio", "change to motion, median", statistics.median(changes), "ms", bar="≤ 300")
+        record("studio", "script in a frame", script, "ms", bar="≤ 6")
 
 
 if __name__ == "__main__":

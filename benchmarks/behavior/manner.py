@@ -18,6 +18,7 @@ import numpy as np
 from scipy.stats import kendalltau
 
 from benchmarks.behavior.deliveries import READERS
+from benchmarks.figures import add_record_option, record
 from benchmarks.realizer.motion import WRISTS
 from understudy.model import Channel, Line, Performance
 from understudy.models import Understudy
@@ -32,6 +33,12 @@ SHARED = Path(__file__).resolve().parents[3] / "shared"
 FRAME_RATE_HZ = 60
 KINDS = {"amplitude": "size", "speed": "speed"}
 """What directors call each."""
+
+RECORDED = {
+    "amplitude": "manner: tau of the size, as the hands play it",
+    "speed": "manner: tau of the speed, as the hands play it",
+}
+"""The names of the recorded figures."""
 
 
 def strokes(performance: Performance, realizer: Realizer) -> Iterator[tuple[float, float]]:
@@ -75,6 +82,7 @@ def main() -> None:
     parser.add_argument("--directing", type=Path, default=SHARED / "directing")
     parser.add_argument("--every", type=int, default=1, help="only every Nth delivery")
     parser.add_argument("--output", type=Path, help="folder that takes ID.manner.json")
+    add_record_option(parser)
     options = parser.parse_args()
     folder = options.directing / "deliveries"
     lines = [json.loads(row) for row in (folder / "lines.jsonl").read_text(encoding="utf-8").splitlines()]
@@ -88,6 +96,8 @@ def main() -> None:
         asked = [np.mean([reader[name].get(KINDS[kind], 0) for reader in readers]) for name in names]
         tau = kendalltau([told[name][measure] for name in names], asked)[0]
         print(f"{measure}: tau {tau:.3f} with the directors' {KINDS[kind]}, {len(names)} deliveries")
+        if options.record and measure in RECORDED:
+            record("choice", RECORDED[measure], tau, bar="≥ 0.35", aim="≥ 0.5")
 
 
 def _asked(path: Path) -> dict[str, dict[str, float]]:

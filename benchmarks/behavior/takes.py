@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.behavior.directing import READERS, gestures_of, load_score
+from benchmarks.figures import add_record_option, record
 from understudy.model import Agitation, Analysis, Channel, Level, Line, Performance
 from understudy.models import Understudy
 from understudy.options import Options
@@ -29,8 +30,14 @@ def gestures(performance: Performance) -> list[str]:
     return [each.lexeme for each in performance.behaviors if each.kept and each.kind is Channel.GESTURE]
 
 
-def takes(understudy: Understudy, analyses: Mapping[str, Analysis], score: Any, folder: Path, seeds: int) -> None:  # noqa: ANN401
-    """Prints F of each take, and how often takes differ."""
+def takes(
+    understudy: Understudy,
+    analyses: Mapping[str, Analysis],
+    score: Any,  # noqa: ANN401
+    folder: Path,
+    seeds: int,
+) -> tuple[float, float]:
+    """Prints F of each take, and how often takes differ; returns the mean F and the share of pairs that differ."""
     records = [score.read(folder / name) for name in READERS]
     made = []
     for seed in range(seeds):
@@ -42,18 +49,23 @@ def takes(understudy: Understudy, analyses: Mapping[str, Analysis], score: Any, 
         made.append((worth, {name: gestures(performance) for name, performance in lines.items()}))
         print(f"seed {seed}: F {worth:.3f}, {total['n'] / len(lines):.2f} gestures a line")
     differ = [one[name] != other[name] for (_, one), (_, other) in combinations(made, 2) for name in analyses]
-    print(f"mean F {sum(worth for worth, _ in made) / seeds:.3f}; other gestures in {sum(differ) / len(differ):.2f}")
+    mean, share = sum(worth for worth, _ in made) / seeds, sum(differ) / len(differ)
+    print(f"mean F {mean:.3f}; other gestures in {share:.2f}")
+    return mean, share
 
 
-def agitations(understudy: Understudy, analyses: Mapping[str, Analysis]) -> None:
-    """Prints the gestures a line at each level."""
+def agitations(understudy: Understudy, analyses: Mapping[str, Analysis]) -> float:
+    """Prints the gestures a line at each level; returns those of high agitation over those of low."""
+    counts = {}
     for level in Level:
         certain = Agitation(**{each.value: float(each is level) for each in Level})
         made = [
             len(gestures(perform_analysis(understudy, _with(analysis, certain), Options())))
             for analysis in analyses.values()
         ]
-        print(f"agitation {level}: {sum(made) / len(made):.2f} gestures a line")
+        counts[level] = sum(made) / len(made)
+        print(f"agitation {level}: {counts[level]:.2f} gestures a line")
+    return counts[Level.HIGH] / counts[Level.LOW]
 
 
 def _with(analysis: Analysis, agitation: Agitation) -> Analysis:
@@ -64,6 +76,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
     parser.add_argument("--seeds", type=int, default=10)
+    add_record_option(parser)
     arguments = parser.parse_args()
     folder: Path = arguments.directing
     with Understudy.load(Settings()) as understudy:
@@ -73,8 +86,12 @@ def main() -> None:
             text = " ".join(word.split(":", 1)[1] for word in line["words"])
             sound = (folder / "audio" / f"{line['id']}.flac").read_bytes()
             analyses[line["id"]] = analyze(understudy, Line(sound, text))
-        takes(understudy, analyses, score, folder, arguments.seeds)
-        agitations(understudy, analyses)
+        mean, differ = takes(understudy, analyses, score, folder, arguments.seeds)
+        livelier = agitations(understudy, analyses)
+    if arguments.record:
+        record("choice", "takes: mean F of ten seeds", mean, bar="≥ 0.56")
+        record("choice", "takes: pairs with other gestures", differ, bar="≥ 0.60", aim="≥ 0.75")
+        record("choice", "takes: gestures at high agitation over low", livelier, "×", bar="≥ 1.35")
 
 
 if __name__ == "__main__":
