@@ -21,7 +21,7 @@ from .bars import Bar
 
 LONGEST_S = 10.0
 BOMB_MB = 200
-READ_ONLY = Path("/proc/understudy")
+READ_ONLY = "/proc/understudy"
 """Where nobody may write, root neither."""
 
 
