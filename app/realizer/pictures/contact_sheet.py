@@ -122,7 +122,7 @@ def draw_cells(
 ) -> bytes:
     """Pictures of the stills beside each other with their captions, and below them the charts, as PNG."""
     columns = min(columns, len(stills))
-    blank = np.broadcast_to(_display(BACKGROUND), cells[0].shape)
+    blank = np.broadcast_to(display(BACKGROUND), cells[0].shape)
     cells = cells + [blank] * (-len(cells) % columns)
     rows = [np.concatenate(cells[k : k + columns], axis=1) for k in range(0, len(cells), columns)]
     return _lettered(np.concatenate(rows), stills, columns, charts)
@@ -149,8 +149,8 @@ def cell(
     if faces:
         views.append((_face_camera(mannequin.skeleton, still, hips_m), FACE_HEIGHT))
     pictures = [draw(figure, camera, height=height, width=CELL_WIDTH, ground=BACKGROUND) for camera, height in views]
-    caption = np.broadcast_to(_display(BACKGROUND), (CAPTION_HEIGHT, CELL_WIDTH, 3))
-    return np.concatenate([*(_display(picture) for picture in pictures), caption])
+    caption = np.broadcast_to(display(BACKGROUND), (CAPTION_HEIGHT, CELL_WIDTH, 3))
+    return np.concatenate([*(display(picture) for picture in pictures), caption])
 
 
 def _face_camera(skeleton: Skeleton, still: Still, hips_m: FloatArray) -> Camera:
@@ -198,7 +198,7 @@ def _png(picture: NDArray[np.uint8], drawn: NDArray[np.uint8]) -> bytes:
     return content.getvalue()
 
 
-def _display(light: FloatArray) -> NDArray[np.uint8]:
+def display(light: FloatArray) -> NDArray[np.uint8]:
     """Linear light converted to display values."""
     steps = np.linspace(0, 1, _LIGHT_STEPS)
     shown = np.round(255 * steps ** (1 / 2.2)).astype(np.uint8)

@@ -1,0 +1,145 @@
+"""Gestures as silhouettes: what an audience far away sees at the end of a stroke, and which gestures look alike there.
+
+Two strokes look alike if both wrists are less than `NEAR_M` and both palms less than `NEAR_DEG` apart at the end, and
+the hand has the same form. They are twins if that holds where the stroke begins as well: then nothing but the words
+tells them apart. An arm that takes no part hangs.
+
+Conventions: metres in the world, facing +Z; rows are the left and the right arm. Fingers of a relaxed, a flat and a
+spread hand are not told apart from far away.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...model import FloatArray, Hand
+from ..arms.key_poses import KeyPose, key_poses
+from ..body.motion import SHAPES
+from ..body.skeleton import Skeleton, forward
+from ..geometry.rotations import rotate
+from ..gestures.gesture import Clip, HandForm
+from ..mannequin.mannequin import Mannequin, posed
+from .contact_sheet import (
+    BACKGROUND,
+    BODY_HEIGHT,
+    CAPTION_HEIGHT,
+    CELL_WIDTH,
+    FRONT,
+    THREE_QUARTERS,
+    Still,
+    display,
+    draw_cells,
+)
+from .rasterizer import ColouredMesh, draw, joined
+
+NEAR_M, NEAR_DEG = 0.15, 40.0
+
+_SAME_TIME_S = 1e-6
+_PALM: FloatArray = np.array([0.0, -1.0, 0.0])
+"""The palm's normal in the hand's own axes: down in the T-pose."""
+_OPEN_FORMS = frozenset({HandForm.DEFAULT, HandForm.FLAT, HandForm.SPREAD})
+_INK: FloatArray = np.array([0.03, 0.03, 0.04])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class HandsPose:
+    """Where both wrists are (2, 3) and where the palms face (2, 3)."""
+
+    wrists_m: FloatArray
+    palms: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StrokePose:
+    """A clip's pose where its stroke begins and where it ends, and the form of the leading hand; `rotations` (J, 4) are
+    those of the whole body at the end."""
+
+    clip: Clip
+    begins: HandsPose
+    ends: HandsPose
+    form: HandForm
+    rotations: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class Likeness:
+    """Two gestures that look alike: how far their wrists and palms are apart at the stroke's end, the wider of both
+    hands, and whether their strokes begin alike too."""
+
+    one: str
+    other: str
+    apart_m: float
+    apart_deg: float
+    twins: bool
+
+
+def stroke_pose(skeleton: Skeleton, clip: Clip) -> StrokePose:
+    """The pose of a clip at its stroke."""
+    poses, markers = key_poses(skeleton, clip), clip.markers
+    last = max((each for each in poses if each.key.time_s <= markers.stroke_end + _SAME_TIME_S), key=_time_s)
+    first = min((each for each in poses if each.key.time_s >= markers.stroke_start - _SAME_TIME_S), key=_time_s)
+    return StrokePose(clip, _hands(skeleton, first), _hands(skeleton, last), _form(clip), last.rotations)
+
+
+def _time_s(pose: KeyPose) -> float:
+    return pose.key.time_s
+
+
+def _hands(skeleton: Skeleton, pose: KeyPose) -> HandsPose:
+    places_m, turns = forward(skeleton, pose.rotations, skeleton.offsets_m[0])
+    rows = [skeleton.index[f"{side}Hand"] for side in (Hand.LEFT, Hand.RIGHT)]
+    return HandsPose(places_m[rows], rotate(turns[rows], _PALM))
+
+
+def _form(clip: Clip) -> HandForm:
+    """The leading hand's form at the stroke's end; relaxed, flat and spread hands count as relaxed."""
+    form = HandForm.DEFAULT
+    for key in clip.keys:
+        arm = key.left if clip.hand is Hand.LEFT else key.right
+        if arm is not None and arm.hand is not None and key.time_s <= clip.markers.stroke_end + _SAME_TIME_S:
+            form = arm.hand.form
+    return HandForm.DEFAULT if form in _OPEN_FORMS else form
+
+
+def likenesses(poses: Sequence[StrokePose]) -> Iterator[Likeness]:
+    """The pairs that look alike, those of one category too."""
+    for one, other in combinations(poses, 2):
+        apart_m, apart_deg = _apart(one.ends, other.ends)
+        if apart_m < NEAR_M and apart_deg < NEAR_DEG and one.form is other.form:
+            begin_m, begin_deg = _apart(one.begins, other.begins)
+            twins = begin_m < NEAR_M and begin_deg < NEAR_DEG
+            yield Likeness(one.clip.name, other.clip.name, apart_m, apart_deg, twins)
+
+
+def _apart(one: HandsPose, other: HandsPose) -> tuple[float, float]:
+    """How far the wrists (metres) and the palms (degrees) are apart, the wider of both hands."""
+    away_m = float(np.linalg.norm(one.wrists_m - other.wrists_m, axis=1).max())
+    cosines = np.clip(np.sum(one.palms * other.palms, axis=1), -1.0, 1.0)
+    return away_m, float(np.degrees(np.arccos(cosines.min())))
+
+
+def draw_silhouettes(skeleton: Skeleton, poses: Sequence[StrokePose], *, columns: int = 8, named: bool = True) -> bytes:
+    """The gestures in black at the ends of their strokes, from the front and three quarters, as PNG;
+    their names below them if `named`. Needs matplotlib."""
+    mannequin = Mannequin.around(skeleton)
+    cells = [_cell(mannequin, each.rotations) for each in poses]
+    stills = [Still(each.clip.name if named else "", each.rotations) for each in poses]
+    return draw_cells(cells, stills, columns=columns)
+
+
+def _cell(mannequin: Mannequin, rotations: FloatArray) -> NDArray[np.uint8]:
+    surfaces = posed(mannequin, rotations, mannequin.skeleton.offsets_m[0], np.zeros(len(SHAPES)))
+    meshes = (
+        ColouredMesh(each.positions_m, each.normals, each.triangles, np.broadcast_to(_INK, each.normals.shape))
+        for each in surfaces
+    )
+    figure = joined(tuple(meshes))
+    views = [
+        draw(figure, camera, height=BODY_HEIGHT, width=CELL_WIDTH, ground=BACKGROUND)
+        for camera in (FRONT, THREE_QUARTERS)
+    ]
+    caption = np.broadcast_to(BACKGROUND, (CAPTION_HEIGHT, CELL_WIDTH, 3))
+    return display(np.concatenate([*views, caption]))
