@@ -51,7 +51,9 @@ def test_phases_stretch_and_strokes_do_not() -> None:
         (1.1, FrameType.HOLD),
         (1.4, FrameType.RETRACTION),
     )
-    plan = plan_gestures(library(one), Schedule((gesture("g1", 2.0, 3.2),), 9.0), seed=0)
+    asked = gesture("g1", 2.0, 3.2)
+    asked = replace(asked, sync=replace(asked.sync, start=1.1))
+    plan = plan_gestures(library(one), Schedule((asked,), 9.0), seed=0)
     (markers,) = (arm.markers for arm in plan.gestures)
     halfway_s, back_s = (markers.start + markers.ready) / 2, (markers.relax + markers.end) / 2
     times_s = [key.time_s for key in arm_track(SKELETON, Hand.RIGHT, plan).keys]
