@@ -147,7 +147,7 @@ if TYPE_CHECKING:
         Word,
     )
     from .model.formats.bml_form import DialectName, TimeForm
-    from .model.voice.speaker_reference import SpeakerReference
+    from .model.voice.signal import SpeakerReference
     from .models import LanguageModels, Understudy
     from .realizer.body.motion import Motion
     from .settings import Settings

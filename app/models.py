@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from .behavior.candidates.attitudes import Attitude
     from .behavior.characters.gesture_forms import FormedCharacters
     from .behavior.characters.overlays import Characters
-    from .behavior.listeners.head_rates import HeadRates
+    from .behavior.listeners.listening import HeadRates
     from .behavior.reading.families import Families
     from .behavior.reading.planning import Planner
     from .behavior.slots.table import SlotTable
@@ -137,7 +137,7 @@ class BehaviorModels:
         ServiceError when a model is missing or broken."""
         from .behavior.candidates.attitudes import load_attitudes
         from .behavior.characters.gesture_forms import FormedCharacters
-        from .behavior.listeners.head_rates import HeadRates
+        from .behavior.listeners.listening import HeadRates
         from .behavior.reading.planning import Planner
 
         lexicon = lexicon_folder()
@@ -291,7 +291,7 @@ def load_tag_table() -> TagTable:
 def load_tags() -> frozenset[str]:
     """The semantic tags that words can have: classes of functions, and `class.subtype`; raises AuthoringError with
     every mistake in their table."""
-    from .profiles.tags import every_tag
+    from .profiles.profile import every_tag
     from .rules.priorities import Priorities
 
     return every_tag(Priorities.load(rules_folder(RULES) / "functions" / "priorities.yaml").root)

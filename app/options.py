@@ -14,7 +14,7 @@ from .model import (
 from .model.edits import NO_EDITS, Edits
 from .model.formats.bml_form import CORE_FORM, BmlForm
 from .model.targets import check_targets
-from .model.voice.speaker_reference import SpeakerReference
+from .model.voice.signal import SpeakerReference
 from .option_table import PERFORMANCE
 from .profiles.profile import Profile
 

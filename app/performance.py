@@ -35,8 +35,7 @@ from .behavior.stage import (
 )
 from .bml.writing.writer import losses
 from .edits.applying import edited
-from .edits.word_times import corrected
-from .edits.words import marked, unmarked, with_marked
+from .edits.words import corrected, marked, unmarked, with_marked
 from .errors import InputError
 from .model import (
     AffectTrack,
@@ -55,7 +54,7 @@ from .model import (
 )
 from .model.edits import WordEdit, WordMark
 from .model.lead_in import with_lead_in
-from .model.voice.speaker_reference import SpeakerReference
+from .model.voice.signal import SpeakerReference
 from .models import BehaviorModels, Understudy
 from .options import Options
 from .profiles.generation.script import GestureScript

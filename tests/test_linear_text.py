@@ -9,7 +9,7 @@ import pytest
 from tests.support.operations import operations_of
 from understudy.model import Parse, Utterance
 from understudy.rules.chaining.facts import normalized_word, utterance_facts
-from understudy.syntax.sentences import sentence_starts
+from understudy.syntax.parser import sentence_starts
 from understudy.transcript import MAX_WRITTEN_CHARACTERS, read_transcript
 
 SLACK = 1.1

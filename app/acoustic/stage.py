@@ -20,16 +20,15 @@ from ..model import (
     Timings,
     Word,
 )
-from ..model.voice.speaker_reference import SpeakerReference
+from ..model.voice.signal import SpeakerReference
 from ..on_demand import OnDemand
 from ..progress import Progress, no_progress
 from ..resources import resource_folder
 from ..settings import Settings
 from ..transcript import read_transcript
 from .affect.affect_model import AffectModel
-from .affect.line_affect import AffectJudge, FeatureJudge, line_affect
+from .affect.line_affect import AffectJudge, FeatureJudge, Stretch, line_affect
 from .affect.manner import word_manners
-from .affect.stretch import Stretch
 from .affect.waveform_model import WaveformModel
 from .agitation.agitation import AgitationModel
 from .agitation.voice_quality import voice_quality

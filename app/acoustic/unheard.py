@@ -1,17 +1,42 @@
 """A line without a recording, as far as one could hear it: words at usual times, or at those of a synthesizer, their
 stress by length and marks of emphasis, a neutral voice (Hartmann, Mancini & Pelachaud 2002, §5, whose agent speaks by a
-synthesizer)."""
+synthesizer).
 
+How stressed the words of a line are that nobody has spoken.
+
+Where only the text is known, each phrase between pauses has its accent on the word that the text marks as emphasized,
+else on its last content word (the nuclear stress rule, Chomsky & Halle 1968); other content words stand over function
+words. In a synthesizer's times accents can be heard by their length (`understudy.acoustic.stress.prominence`). Words
+that the text marks share the line's focus; without marks the focus is not known.
+"""
+
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from ..errors import TooLargeError
-from ..model import NEUTRAL, Agitation, Filler, LineAffect, Manner, Notice, Parse, PhraseAffect, Speaking, Timings, Word
+from ..model import (
+    FRAME_SHIFT_S,
+    NEUTRAL,
+    Agitation,
+    Contours,
+    Filler,
+    LineAffect,
+    Manner,
+    Notice,
+    Parse,
+    PhraseAffect,
+    Speaking,
+    Timings,
+    Word,
+)
 from .affect.line_affect import phrases_of
 from .affect.manner import unheard_manners
 from .alignment.timings import read_fillers, read_timings
 from .pacing.pacing import paced, timed_elsewhere
-from .pacing.unheard_stress import timed_stress, usual_stress
 from .stage import AcousticModels
+from .stress.prominence import PAUSE_S, prominence
 from .stress.stress import Measure, with_emphasis
 
 
@@ -69,3 +94,78 @@ def unheard_affect(words: tuple[Word, ...]) -> LineAffect:
 def unheard_manner(line: UnheardLine, agitation: Agitation, affect: LineAffect) -> tuple[Manner, ...]:
     """How a movement is made on each word of a line without a recording."""
     return unheard_manners(line.words, agitation, affect, line.emphasized)
+
+
+CONTENT = frozenset({"NOUN", "PROPN", "VERB", "ADJ", "ADV", "NUM", "INTJ"})
+"""Parts of speech of content words (Universal Dependencies)."""
+
+MARKED, NUCLEAR, ACCENTED, WEAK = 0.95, 0.6, 0.3, 0.1
+"""The prominence of a marked word, of a phrase's last content word, of other content words and of function words. Only
+the first two are above the threshold of emphasis, as of spoken words about one in five is."""
+
+
+def usual_stress(words: tuple[Word, ...], parse: Parse, emphasized: Collection[int]) -> tuple[Word, ...]:
+    """The words at usual times, with their prominence and focus."""
+    content = {token.word for token in parse.tokens if token.part_of_speech in CONTENT}
+    nuclei = set(_nuclei(words, content, emphasized))
+    return with_focus(
+        tuple(
+            replace(word, prominence=_prominence(word.index, content, nuclei)) if word.interval else word
+            for word in words
+        ),
+        emphasized,
+    )
+
+
+def timed_stress(words: tuple[Word, ...], emphasized: Collection[int]) -> tuple[Word, ...]:
+    """The words at a synthesizer's times, with their prominence and focus."""
+    return with_focus(prominence(words, _silence(words)), emphasized)
+
+
+def with_focus(words: tuple[Word, ...], emphasized: Collection[int]) -> tuple[Word, ...]:
+    """The words, with the focus shared among those that are emphasized, which are prominent."""
+    marked = {word.index for word in words if word.index in emphasized and word.interval}
+    return tuple(
+        replace(
+            word,
+            prominence=max(word.prominence or 0.0, MARKED) if word.index in marked else word.prominence,
+            focus=(1 / len(marked) if word.index in marked else 0.0) if marked else None,
+        )
+        for word in words
+    )
+
+
+def _nuclei(words: tuple[Word, ...], content: Collection[int], emphasized: Collection[int]) -> Iterator[int]:
+    """The last content word of each phrase in which no word is emphasized; its last word if there is no other."""
+    for phrase in _phrases(words):
+        if not any(index in emphasized for index in phrase):
+            yield max((index for index in phrase if index in content), default=phrase[-1])
+
+
+def _phrases(words: tuple[Word, ...]) -> Iterator[list[int]]:
+    """The timed words between pauses."""
+    phrase: list[int] = []
+    end_s = 0.0
+    for word in words:
+        if word.interval is None:
+            continue
+        if phrase and word.interval.start_s - end_s > PAUSE_S:
+            yield phrase
+            phrase = []
+        phrase.append(word.index)
+        end_s = word.interval.end_s
+    if phrase:
+        yield phrase
+
+
+def _prominence(index: int, content: Collection[int], nuclei: Collection[int]) -> float:
+    if index in nuclei:
+        return NUCLEAR
+    return ACCENTED if index in content else WEAK
+
+
+def _silence(words: tuple[Word, ...]) -> Contours:
+    """Contours in which nothing stands out, over all of the words."""
+    end_s = max((word.interval.end_s for word in words if word.interval), default=0.0)
+    count = round(end_s / FRAME_SHIFT_S) + 1
+    return Contours(np.zeros(count), np.zeros(count), np.empty((count, 0)), np.empty((count, 0), dtype=np.float32))

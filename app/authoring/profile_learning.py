@@ -7,8 +7,7 @@ from ..models import LanguageModels
 from ..on_demand import OnDemand
 from ..profiles.annotation.model import Annotation, TaggedWords
 from ..profiles.learning.learning import learn
-from ..profiles.profile import Profile
-from ..profiles.tags import tags_of
+from ..profiles.profile import Profile, tags_of
 from ..rules.stage import find_functions_in_all
 
 

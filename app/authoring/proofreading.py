@@ -17,16 +17,16 @@ from ..authored_folders import AUTHORED, lexicon_folder, rules_folder, tables_of
 from ..behavior.candidates.attitudes import load_attitudes
 from ..behavior.candidates.vocabulary import BANNABLE
 from ..behavior.characters.overlays import Characters
-from ..behavior.listeners.head_rates import HeadRates
-from ..behavior.mimes.table import MimeTable
+from ..behavior.listeners.listening import HeadRates
 from ..behavior.reading.authored_weights import TermNames, load_weights
 from ..behavior.reading.choice_model import ChoiceModel
 from ..behavior.reading.families import load_families
+from ..behavior.reading.mimes import MimeTable
 from ..behavior.reading.terms import TermTable
 from ..behavior.slots.table import SlotTable
 from ..behavior.table.behavior_table import BehaviorEntry, load_table
-from ..bml.reading.aliases import FILE as BML_ALIASES
-from ..bml.reading.aliases import LexemeAliases
+from ..bml.reading.element_behaviors import FILE as BML_ALIASES
+from ..bml.reading.element_behaviors import LexemeAliases
 from ..bml.writing.smartbody_tables import FILE as SMARTBODY
 from ..bml.writing.smartbody_tables import SmartBodyTables
 from ..errors import AuthoringError, InputError, Mistake, collected
@@ -45,19 +45,16 @@ from ..models import (
 )
 from ..realizer.body.movement_style import MovementStyle
 from ..realizer.body.skeleton import Skeleton
-from ..realizer.exporting.mpeg4.fap import TABLE as FAPS
-from ..realizer.exporting.mpeg4.fap import FapTable
 from ..realizer.exporting.retargeting import load_rigs
 from ..realizer.face.face_tables import FaceTables
-from ..realizer.gestures.aliases import ALIASES, read_aliases
 from ..realizer.gestures.gesture import Definition
-from ..realizer.gestures.library import SUFFIX, Library, gesture_files, read_definitions
+from ..realizer.gestures.library import ALIASES, SUFFIX, Library, gesture_files, read_aliases, read_definitions
+from ..realizer.mpeg4.fap import TABLE as FAPS
+from ..realizer.mpeg4.fap import FapTable
 from ..resources import resource_folder
-from ..rules.conflicts import Conflicts
 from ..rules.lexicon import Lexicon
-from ..rules.priorities import Priorities
-from ..rules.program.class_names import PRINTED
-from ..rules.program.program import load_program
+from ..rules.priorities import Conflicts, Priorities
+from ..rules.program.program import PRINTED, load_program
 from ..yaml_files import Source, entry_source
 
 VOCABULARY = "vocabulary.rules"

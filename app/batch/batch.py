@@ -2,14 +2,17 @@
 
 The manifest is updated as each line ends, after its files are written. So if the process is killed at any time, the
 same command continues with what was not finished, and no line counts as done whose files are missing.
+
+The interface by which a batch reports its progress.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, closing
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Protocol
 
-from ..model.voice.speaker_reference import SpeakerReference
+from ..model.voice.signal import SpeakerReference
 from ..on_demand import OnDemand
 from ..settings import Settings
 from .casting.voices import keep_learnt, read_learnt
@@ -23,7 +26,6 @@ from .request import BatchRequest
 from .running.engine import Engine
 from .running.supervising import Done, supervise
 from .thumbnails import read_thumbnails, remove_other_thumbnails, thumbnail_jobs, thumbnail_paths
-from .watching import Watcher
 from .work.files import clear_unfinished, unwritable, write_files
 from .work.formats import extension_of
 from .work.jobs import Failure, LineJob, LineOutcome
@@ -36,6 +38,22 @@ class Work:
 
     entry: Entry
     job: LineJob
+
+
+class Watcher(Protocol):
+    """Is notified of a batch's progress."""
+
+    def planned(self, plan: Plan) -> None:
+        """The script has been read and its lines matched with recordings."""
+
+    def learning(self, voices: int) -> None:
+        """So many voices are about to be learnt."""
+
+    def begun(self, entries: int, done: int) -> None:
+        """So many lines can be performed, and so many of them are done already."""
+
+    def ended(self, entry: Entry) -> None:
+        """A line is done, or has failed."""
 
 
 def run_batch(
@@ -217,3 +235,19 @@ def _remove_old(before: Entry | None, entry: Entry, out: Path) -> None:
     for file in before.outputs if before else ():
         if file.path not in kept:
             (out / file.path).unlink(missing_ok=True)
+
+
+class Nobody:
+    """Ignores all notifications."""
+
+    def planned(self, plan: Plan) -> None:
+        pass
+
+    def learning(self, voices: int) -> None:
+        pass
+
+    def begun(self, entries: int, done: int) -> None:
+        pass
+
+    def ended(self, entry: Entry) -> None:
+        pass

@@ -1,21 +1,26 @@
-"""Turns a script and its recordings into jobs, and into failures for lines that cannot become jobs."""
+"""Turns a script and its recordings into jobs, and into failures for lines that cannot become jobs.
+
+Finds an author's edits for the lines of a batch: those named in the script, else the file `ID.edits.json` beside the
+recording, ID being that of the take, that of the line or the recording's own name.
+"""
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
+from pathlib import Path
 
 from ..errors import InputError
-from ..model.edits import NO_EDITS
-from ..model.voice.speaker_reference import SpeakerReference
+from ..model.edits import NO_EDITS, Edits
+from ..model.voice.signal import SpeakerReference
 from ..models import load_characters
 from ..options import Options
+from ..schemas.edits import read_edits
 from .casting.cast_file import NOBODY_CAST, read_cast
 from .casting.casting import Casting
 from .casting.voices import reference_jobs, speaker_of
 from .compressed import advice, converter, is_compressed
-from .edits_files import edits_of_takes
-from .layout import require_apart
+from .layout import file_name, require_apart
 from .manifest.entries import Entry, State
 from .matching.joining import Joined, Missing, join_one_recording, join_recordings
 from .matching.recordings import find_recordings
@@ -179,3 +184,30 @@ def _failed(place: int, row: int, name: str, failure: Failure, used: set[str], *
     unique = name if name and name not in used else f"{name} ({place_told(row, sheet)})".strip()
     used.add(unique)
     return Entry(unique, place, row, "", "", "", "", "", None, None, "", "", State.FAILED, failure=failure)
+
+
+ENDING = ".edits.json"
+
+
+def edits_of_takes(takes: Iterable[Take]) -> tuple[Mapping[str, Edits], tuple[Problem, ...]]:
+    """The edits by the id of the take, for takes that have any, and the problems with files of edits."""
+    found, problems = dict[str, Edits](), list[Problem]()
+    for take in takes:
+        path = _path(take)
+        try:
+            if take.line.edits is not None:
+                found[take.id] = take.line.edits
+            elif path is not None:
+                found[take.id] = read_edits(path.read_bytes())
+        except InputError as error:
+            problems.append(Problem(take.line.row, "", error.code, f"{path}: {error.message}", take.id))
+        except OSError as error:
+            message = f"{path}: cannot be read: {error.strerror}"
+            problems.append(Problem(take.line.row, "", "file_unreadable", message, take.id))
+    return found, tuple(problems)
+
+
+def _path(take: Take) -> Path | None:
+    folder, names = take.recording.path.parent, (take.id, take.line.id, take.recording.path.stem)
+    paths = (folder / f"{file_name(name)}{ENDING}" for name in names)
+    return next((path for path in paths if path.is_file()), None)

@@ -7,7 +7,7 @@ from pathlib import Path
 from ..options import Options
 from .layout import Layout
 from .matching.joining import Choice
-from .matching.patterns import Pattern
+from .matching.recordings import Pattern
 from .work.formats import LineFormat, OutputFormat
 from .work.jobs import MotionForm
 

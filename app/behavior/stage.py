@@ -42,8 +42,7 @@ from .characters.overlays import Character, Characters
 from .choice.offered import NEAR, not_taken
 from .choice.scheduling import numbered, schedule
 from .listeners.addressees import addressed, placed_listeners
-from .listeners.head_rates import HeadRates
-from .listeners.listening import Listener, listen
+from .listeners.listening import HeadRates, Listener, listen
 from .reading.families import Families
 from .reading.planning import Plan, Planner, Understood, meanings, plan, times_s_of
 from .reading.player import Ban, Player, banned
@@ -59,7 +58,7 @@ from .speaker_profiles.gesture_scripts import (
 )
 from .speaker_profiles.habits import as_listener, as_speaker, listening_postures, speaking_postures
 from .speech.visemes import visemes
-from .timing.manner import with_manner
+from .timing.phases import with_manner
 
 QUANTITY = MappingProxyType({Level.LOW: 0.85, Level.MEDIUM: 1.0, Level.HIGH: 1.3})
 """How many gestures are made at each level of agitation, relative to medium (paper §1). Heads and faces are not fewer

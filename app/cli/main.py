@@ -2,19 +2,25 @@
 
 Exit codes: 0 done, 2 wrong input, 130 interrupted. A command is the module of its name in `understudy.cli.commands`
 with a function `run(arguments, log) -> int`; it is imported when it is called, so that `understudy --help` is quick.
+
+Settings that a command is given as options, for it and for the processes that it starts.
 """
 
+import argparse
 import gc
 import importlib
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
 from typing import cast
 
+from ..authored_folders import VARIABLE as LEXICON
+from ..authored_folders import layers_of
 from ..errors import UnderstudyError
 from .arguments.parser import make_parser
 from .distinct_files import require_distinct
-from .environment import set_by
 from .log import Log
 
 WRONG_INPUT = 2
@@ -57,3 +63,32 @@ def _discard_the_rest() -> None:
     """Discards buffered output after its reader has closed the pipe, so that Python does not raise again when it
     ends."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+AGITATION_MODEL = "UNDERSTUDY_AGITATION_MODEL"
+
+
+@contextmanager
+def set_by(arguments: argparse.Namespace) -> Iterator[None]:
+    """Within the block the environment has what `--lexicon` and `--agitation-model` say."""
+    told = dict(_told(arguments))
+    before = {name: os.environ.get(name) for name in told}
+    os.environ.update(told)
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value
+
+
+def _told(arguments: argparse.Namespace) -> Iterator[tuple[str, str]]:
+    given: Mapping[str, object] = vars(arguments)
+    folders, model = given.get("lexicon"), given.get("agitation_model")
+    if isinstance(folders, list):
+        named = (*layers_of(os.environ.get(LEXICON)), *map(Path, folders))
+        yield LEXICON, os.pathsep.join(str(each.absolute()) for each in named)
+    if isinstance(model, str):
+        yield AGITATION_MODEL, str(Path(model).absolute())

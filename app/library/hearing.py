@@ -8,7 +8,7 @@ from ..acoustic.stage import align as _align
 from ..acoustic.stage import make_reference as _make_reference
 from ..errors import InputError
 from ..model import AlignedLine, Audio, Notice, SignalAnalysis, Timings
-from ..model.voice.speaker_reference import SpeakerReference
+from ..model.voice.signal import SpeakerReference
 from ..models import Understudy
 from ..settings import Settings
 from .sources import FileSource, content_of, line_of

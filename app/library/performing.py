@@ -8,14 +8,14 @@ from typing import Any, Literal, TypedDict, Unpack
 
 from ..model import Analysis, Direction, GivenFunction, Mode, Performance, Timings
 from ..model.edits import NO_EDITS, Edits
-from ..model.voice.speaker_reference import SpeakerReference
+from ..model.voice.signal import SpeakerReference
 from ..models import Understudy
 from ..performance import PerformedLine, perform_analysis, perform_line, script_analysis, write_script
 from ..performance import analyze as analyze_line
 from ..performance import perform as _perform
 from ..schemas.edits import read_edits
 from ..schemas.options import check_options
-from ..schemas.spoken_lines import spoken_line
+from ..schemas.requests import spoken_line
 from ..settings import Settings, read_settings
 from .sources import AffectName, FileSource, LevelName, content_of, line_of, timings_of
 

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from ..behavior.idle.idle_behaviors import BLINKS_PER_MINUTE
-from ..behavior.listeners.head_rates import HeadRates
-from ..behavior.listeners.listening import SHORTEST_BETWEEN_NODS_S
+from ..behavior.listeners.listening import SHORTEST_BETWEEN_NODS_S, HeadRates
 from ..model import Behavior
 from .ear import PhraseEdge
 from .placing import Placer

@@ -3,6 +3,10 @@
 A phrase is a stretch of voiced speech, until it has been silent for `PAUSE_FRAMES`. Times are seconds of the stream; a
 phrase's beginning is known `BEGIN_FRAMES` voiced frames after it, its end `PAUSE_FRAMES` after the last voiced one.
 Memory is bounded.
+
+The affect of the current phrase, as far as it has been heard. Memory is bounded.
+
+The last seconds of sound are kept and judged on demand, so a stream without words costs nothing.
 """
 
 from collections.abc import Iterator
@@ -11,7 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 import soxr
 
-from ..model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, FloatArray
+from ..acoustic.stage import AcousticModels, hear_sound
+from ..model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Affect, Audio, FloatArray
 from .voice import StreamingVoice
 
 BEGIN_FRAMES = 4
@@ -77,3 +82,29 @@ class Ear:
     def phrases(self, f0_hz: FloatArray) -> tuple[PhraseEdge, ...]:
         """The edges of phrases in more f0."""
         return self._phrases.hear(f0_hz)
+
+
+LONGEST_S = 6.0
+
+SHORTEST_S = 0.8
+"""A shorter part of a phrase is not judged."""
+
+
+class RunningFeeling:
+    """Takes mono samples in [-1, 1] at `SAMPLE_RATE_HZ`."""
+
+    def __init__(self) -> None:
+        self._recent: FloatArray = np.empty(0)
+        self._last: Affect | None = None
+
+    def hear(self, samples: FloatArray) -> None:
+        """More of the voice."""
+        self._recent = np.concatenate([self._recent, samples])[-round(LONGEST_S * SAMPLE_RATE_HZ) :]
+
+    def of_phrase(self, acoustic: AcousticModels, lasting_s: float | None) -> Affect | None:
+        """The affect of the current phrase, which has lasted so long; that of the phrase before if the current one is
+        too short or there is none; None before the first."""
+        if lasting_s is not None and lasting_s >= SHORTEST_S:
+            samples = self._recent[-round(min(lasting_s, LONGEST_S) * SAMPLE_RATE_HZ) :]
+            self._last = hear_sound(acoustic, Audio(samples))
+        return self._last

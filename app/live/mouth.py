@@ -14,7 +14,7 @@ from typing import Self
 
 import numpy as np
 
-from ..acoustic.signal.mel import mel_filters
+from ..acoustic.signal.spectrum import mel_filters
 from ..behavior.speech.visemes import LEAST_ARTICULATION
 from ..errors import ServiceError
 from ..model import SAMPLE_RATE_HZ, FloatArray

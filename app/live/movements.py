@@ -5,13 +5,20 @@ What is held is held a little longer as long as nothing else is announced: a tim
 never back but to make way for another movement, and nothing is held for long after the last sound.
 
 A beat begun by a preparation strikes when the stroke is announced, at the latest when a preparation usually ends.
+
+Events of the live gesture model: one when a phase of hands, head or brows begins.
+
+Times are seconds from the start of the sound. An event is sent at most `LATEST_S` after its sound was heard, as a
+prediction; the final decision, `DECIDED_S` later, may differ, and is sent only on request.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from ..model import Behavior
-from .events import LiveEvent
+from ..acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
+from ..model import Behavior, FloatArray
+from ..prosody_gestures.live_gestures import ANNOUNCED_S, DECIDED_S, LiveGestures, Phase
+from ..prosody_gestures.voice_model import VoiceModel
 from .placing import Placer, held_until, struck_at
 from .table import LiveTable
 
@@ -19,6 +26,7 @@ PREPARATION_S = 0.48
 """How long the model's preparations last on average."""
 
 LONGEST_HOLD_S = 2.0
+
 HELD_AHEAD_S = 0.4
 """So far ahead of now what is held is held, and it is told anew when half of that has passed."""
 
@@ -28,6 +36,18 @@ _HOLD_S = 0.25
 _APART, _FEWEST_PER_MINUTE = 20.0, 1.0
 """No beat begins sooner after another's stroke than so many seconds over the character's gestures a minute, a third of
 its usual distance."""
+
+
+@dataclass(frozen=True, slots=True)
+class LiveEvent:
+    """`part` ("hands", "head", "brows") enters `state` at `start_s`; sent when `heard_s` had been heard. Decided events
+    are final; others are predictions and may be revised."""
+
+    part: str
+    state: str
+    start_s: float
+    heard_s: float
+    decided: bool = False
 
 
 @dataclass(slots=True)
@@ -121,3 +141,30 @@ def _longer(held: Behavior, now_s: float, until_s: float) -> Behavior | None:
     if relax_s is None or not now_s < relax_s < min(now_s + HELD_AHEAD_S / 2, wanted_s):
         return None
     return held_until(held, wanted_s)
+
+
+LATEST_S = PITCH_LATEST_S + ANNOUNCED_S
+DECIDED_LATEST_S = PITCH_LATEST_S + DECIDED_S
+
+
+class LiveEvents:
+    """Takes contours, a row each `FRAME_SHIFT_S`, and gives the events: predictions or, if `decided`, final ones.
+    Memory is bounded."""
+
+    def __init__(self, model: VoiceModel, *, decided: bool = False) -> None:
+        self._gestures, self._decided = LiveGestures(model), decided
+
+    def hear(self, energy_db: FloatArray, f0_hz: FloatArray, heard_s: float) -> tuple[LiveEvent, ...]:
+        """The events of more energy and f0, when `heard_s` of the sound have been heard."""
+        return self._told(self._gestures.hear(energy_db, f0_hz), heard_s)
+
+    def finish(self, heard_s: float) -> tuple[LiveEvent, ...]:
+        """The remaining events, when the sound has ended."""
+        return self._told(self._gestures.finish(), heard_s)
+
+    def _told(self, phases: Iterable[Phase], heard_s: float) -> tuple[LiveEvent, ...]:
+        return tuple(
+            LiveEvent(phase.part, phase.state, phase.start_s, heard_s, phase.decided)
+            for phase in phases
+            if phase.begins and phase.decided is self._decided
+        )

@@ -18,13 +18,11 @@ from ..options import Options
 from .agenda import REMEMBERED_S, WORDED, Agenda
 from .attention import Attention
 from .body import Asked, BodyFrame, LiveBody, Performing
-from .ear import Ear
-from .events import LiveEvent, LiveEvents
-from .feeling import RunningFeeling
+from .ear import Ear, RunningFeeling
 from .messages import LiveMessage, LiveOptions, MouthMessage, PhraseMessage
 from .models import LiveModels
 from .mouth import MouthShape, StreamingMouth
-from .movements import Movements
+from .movements import LiveEvent, LiveEvents, Movements
 from .placing import Placer
 from .voice import RecentVoice
 from .words import PerformedPhrase, TimedText, paced_words, perform_words, timed_words

@@ -12,17 +12,24 @@ of it. Import the values from here.
 from .body import Channel, Hand
 from .choice import Alternative, BehaviorCandidates, Demand, Mode, Moment, Movement, Rejected
 from .direction import Avoidance, DirectedMoment, Direction
-from .facts import Argument, Fact
-from .functions import PLAIN, Because, Function, GivenFunction
+from .functions import PLAIN, Argument, Because, Fact, Function, GivenFunction, Term
 from .language import Clause, Parse, Phrase, Token, Utterance
 from .line import AlignedLine, Analysis, Line, SignalAnalysis, Timings
 from .performance import Notice, Performance
-from .reasons import Term
 from .schedule import DEFAULT_CHARACTER, Behavior, Listening, Schedule, SyncPoints, Target, Viseme
 from .slots import Distance, Height, Side, Size, Slots, Which
 from .voice.affect import NEUTRAL, Affect, AffectTrack, LineAffect, Manner, PhraseAffect, Tone, mean_affect
-from .voice.signal import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, Contours, FloatArray, SingleArray, VoiceQuality
-from .voice.speaking import PLAINLY_SPOKEN, Speaking
+from .voice.signal import (
+    FRAME_SHIFT_S,
+    PLAINLY_SPOKEN,
+    SAMPLE_RATE_HZ,
+    Audio,
+    Contours,
+    FloatArray,
+    SingleArray,
+    Speaking,
+    VoiceQuality,
+)
 from .voice.speech import EMPHASISED, Agitation, Filler, Interval, Level, Phone, StressThresholds, Word
 
 __all__ = [

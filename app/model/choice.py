@@ -4,8 +4,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from .body import Channel
-from .functions import Function
-from .reasons import Term
+from .functions import Function, Term
 
 
 class Mode(StrEnum):

@@ -1,6 +1,12 @@
-"""Communicative functions of words (paper §3.3), derived or given, with their justification."""
+"""Communicative functions of words (paper §3.3), derived or given, with their justification.
+
+A fact of the rule language: what is known of a line, given or derived (paper §3.3).
+
+Why something was chosen: named parts of a sum.
+"""
 
 from dataclasses import dataclass
+from typing import NamedTuple, TypeAlias
 
 PLAIN = "plain"
 """The subtype of a function whose class has none; in output it is the empty string."""
@@ -45,3 +51,29 @@ class GivenFunction:
     first: int
     last: int
     priority: float | None = None
+
+
+Argument: TypeAlias = str | int | float
+"""An argument of a fact: a text (symbols are texts) or a number."""
+
+
+class Fact(NamedTuple):
+    """`predicate(arguments)`, without the annotation: two facts are one when predicate and arguments are equal.
+
+    A named tuple, unlike our other values: a line makes hundreds and hashes them thousands of times.
+    """
+
+    predicate: str
+    arguments: tuple[Argument, ...]
+
+    def __str__(self) -> str:
+        return f"{self.predicate}({', '.join(map(str, self.arguments))})"
+
+
+@dataclass(frozen=True, slots=True)
+class Term:
+    """One reason for or against a choice: a fact about the words, the voice, a rule or the author, and its weight
+    (log-odds)."""
+
+    name: str
+    weight: float

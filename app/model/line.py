@@ -4,13 +4,11 @@ from dataclasses import dataclass, field
 
 from ..errors import InputError
 from .direction import Direction
-from .facts import Fact
-from .functions import Function, GivenFunction
+from .functions import Fact, Function, GivenFunction
 from .language import Utterance
 from .performance import Notice
 from .voice.affect import Affect
-from .voice.signal import Audio, Contours, VoiceQuality
-from .voice.speaking import PLAINLY_SPOKEN, Speaking
+from .voice.signal import PLAINLY_SPOKEN, Audio, Contours, Speaking, VoiceQuality
 from .voice.speech import Agitation, Filler, Word
 
 

@@ -4,8 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 from .body import Channel, Hand
-from .functions import Function
-from .reasons import Term
+from .functions import Function, Term
 from .slots import Slots
 from .voice.affect import Manner
 from .voice.speech import Interval, Level, Word

@@ -31,7 +31,7 @@ from ..prosody_gestures.semi_markov import (
     states_by_frame,
 )
 from ..prosody_gestures.trellis import EVERYTHING, Search
-from ..prosody_gestures.viterbi import decode
+from ..prosody_gestures.voice_model import decode
 from ..realizer.geometry.rotations import normalized, to_rotation_vector
 from .clustering import ParallelBranches
 from .pairs import Voice, arms_of

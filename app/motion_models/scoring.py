@@ -21,7 +21,7 @@ from ..progress import Progress, no_progress
 from ..prosody_gestures.semi_markov import FRAME_S, Segment, similarity, states_by_frame
 from ..prosody_gestures.trellis import EVERYTHING, Search
 from ..realizer.geometry.rotations import to_rotation_vector
-from .correlation import canonical_correlation, energy_difference, kinetic_energy, symmetric_divergence
+from .clustering import canonical_correlation, energy_difference, kinetic_energy, symmetric_divergence
 from .model import FEATURES, LABELS, SCENARIOS, MotionModel, Scenario, arm_angles
 from .pairs import Pair, arms_of, with_common_joints
 from .performing import move

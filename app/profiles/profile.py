@@ -3,15 +3,18 @@
 Probabilities are in [0, 1]; times are seconds; rates are a minute of speech. A tag is a communicative function, `class`
 or `class.subtype` ("deixis.self"); the tag of a class stands for its subtypes that were not seen, and `any` for classes
 that were not.
+
+Communicative functions as semantic tags (NGS §3.2): the thin layer between words and gestures.
 """
 
-from collections.abc import Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass, field
 
-from ..model import Hand
-from .annotation.model import PathForm, Position
+from ..model import PLAIN, Function, Hand
+from .annotation.model import PathForm, Position, TaggedWords
 
 ANY_TAG = "any"
+
 FIRST = "first"
 """What comes before the first gesture of a recording, in the tables of what follows what."""
 
@@ -159,3 +162,19 @@ class Profile:
     def tag(self, name: str) -> TagHabit | None:
         """What is known of a tag, else of its class, else of any."""
         return self.tags.get(name) or self.tags.get(name.partition(".")[0]) or self.tags.get(ANY_TAG)
+
+
+def tag_of(function: Function) -> str:
+    """The tag of a function: its class, and its subtype where the class has several."""
+    return function.class_name if function.subtype == PLAIN else f"{function.class_name}.{function.subtype}"
+
+
+def tags_of(functions: Iterable[Function]) -> tuple[TaggedWords, ...]:
+    """The tags of the functions that were kept."""
+    return tuple(TaggedWords(tag_of(each), each.first, each.last) for each in functions if each.kept)
+
+
+def every_tag(functions: Mapping[str, Collection[str]]) -> frozenset[str]:
+    """The tags that functions can have, by class and subtype; a class alone stands for its subtypes."""
+    subtypes = {f"{name}.{subtype}" for name, own in functions.items() for subtype in own if subtype != PLAIN}
+    return frozenset({*functions, *subtypes})

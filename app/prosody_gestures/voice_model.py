@@ -1,25 +1,32 @@
 """The voice-driven gesture model: one semi-Markov model over discriminants of the prosody for each of hands, head and
-brows, in one .npz file without pickles."""
+brows, in one .npz file without pickles.
+
+Linear discriminant analysis (Fisher): the mixtures with diagonal covariance are fitted to its projections.
+
+AHG §3.4 uses the first two principal components, which ignore the states; discriminants separate the states and are
+uncorrelated within them, as diagonal mixtures assume.
+
+Viterbi decoding of a complete recording (RTS §2.3, AHG §3.6).
+"""
 
 import io
 import zipfile
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import isfinite
 from pathlib import Path
 from typing import Self
 
 import numpy as np
 
-from ..errors import ServiceError
+from ..errors import InputError, ServiceError
 from ..model import FloatArray
 from .context import WIDTH, in_context
 from .counting import Smoothing, count
-from .discriminants import Discriminants, fit_discriminants
 from .mixtures import MixtureOptions, fit_mixtures
 from .prosody import features, raw_frames
-from .semi_markov import MixtureEmissions, Segment, SemiMarkovModel, states_by_frame
-from .trellis import EVERYTHING, Search
-from .viterbi import decode
+from .semi_markov import IntArray, MixtureEmissions, Segment, SemiMarkovModel, states_by_frame
+from .trellis import EVERYTHING, Search, Trellis
 
 LONGEST_S = 5.0
 """D_max of AHG; RTS has 10 s."""
@@ -30,6 +37,20 @@ MIXTURES = MixtureOptions(components=3)
 _DISCRIMINANTS = ("mean", "scale", "weights")
 _EMISSIONS = ("log_weights", "means", "variances")
 _MODEL = ("log_initial", "log_transition", "log_duration")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Discriminants:
+    """`mean` and `scale` (features) standardise, `weights` (features × directions) project."""
+
+    mean: FloatArray
+    scale: FloatArray
+    weights: FloatArray
+
+    def project(self, rows: FloatArray) -> FloatArray:
+        """The projections (… × directions) of rows (… × features)."""
+        projected: FloatArray = (rows - self.mean) / self.scale @ self.weights
+        return projected
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -111,3 +132,42 @@ def _read(arrays: dict[str, FloatArray], part: str) -> PartModel:
         Discriminants(mean, scale, weights),
         SemiMarkovModel(states, initial, transition, duration, emissions),
     )
+
+
+RIDGE = 1e-3
+"""Added to the within-state variances of the standardised features."""
+
+
+def fit_discriminants(rows: FloatArray, states: IntArray) -> Discriminants:
+    """Fits one direction fewer than there are states, the most discriminative first, to rows (frames × features)."""
+    mean, scale = rows.mean(axis=0), rows.std(axis=0) + 1e-9
+    standard = (rows - mean) / scale
+    kinds = np.unique(states)
+    within = RIDGE * np.eye(rows.shape[1])
+    between = np.zeros_like(within)
+    for kind in kinds:
+        own = standard[states == kind]
+        centred = own - own.mean(axis=0)
+        within += centred.T @ centred / len(rows)
+        between += len(own) / len(rows) * np.outer(own.mean(axis=0), own.mean(axis=0))
+    sizes, axes = np.linalg.eigh(within)
+    whitening = axes / np.sqrt(sizes)
+    order = np.linalg.eigh(whitening.T @ between @ whitening)[1][:, ::-1]
+    return Discriminants(mean, scale, whitening @ order[:, : max(1, len(kinds) - 1)])
+
+
+def decode(model: SemiMarkovModel, log_likelihoods: FloatArray, search: Search = EVERYTHING) -> tuple[Segment, ...]:
+    """The most likely segments for `log_likelihoods` (frames × states); the last ends with the recording, as printed.
+
+    With `EVERYTHING` the search is exact. Raises InputError `undecodable` if no path is possible.
+    """
+    if not len(log_likelihoods):
+        return ()
+    trellis = Trellis(model, search, capacity=len(log_likelihoods))
+    for frame in log_likelihoods:
+        trellis.push(frame)
+    score, state = trellis.closed()
+    if not isfinite(score):
+        raise InputError("undecodable", f"no path of the model fits these {len(log_likelihoods)} frames")
+    last = trellis.last_segment(state)
+    return (*trellis.back_to(0, last.start, last.state), last)

@@ -13,19 +13,19 @@ from ..editorial.events import timeline_events, tracks_of
 from ..editorial.timeline import to_otio
 from ..model import FloatArray
 from ..model.formats.motion_formats import EDITORIAL, SCENES, AudioFile, FileOptions, Keys, MotionFormat
+from ..realizer.avatars.avatar import to_avatar_glb
 from ..realizer.exporting.arkit_csv import to_arkit_csv
-from ..realizer.exporting.avatars.avatar import to_avatar_glb
 from ..realizer.exporting.bvh import to_bvh
 from ..realizer.exporting.clip_json import to_clip_json
 from ..realizer.exporting.extras import require_usd
-from ..realizer.exporting.fbx.conversion import to_fbx
+from ..realizer.exporting.fbx import to_fbx
 from ..realizer.exporting.glb import to_glb
-from ..realizer.exporting.mpeg4.bap import to_bap
-from ..realizer.exporting.mpeg4.fap import TABLE, FapTable, to_fap
 from ..realizer.exporting.viseme_list import to_viseme_text
 from ..realizer.exporting.vrma import to_vrma
 from ..realizer.face.diphthongs import with_glides
 from ..realizer.face.lips import viseme_weights
+from ..realizer.mpeg4.bap import to_bap
+from ..realizer.mpeg4.fap import TABLE, FapTable, to_fap
 from ..realizer.pictures.contact_sheet import draw_sheet, moments_of
 from ..realizer.pictures.speed_plot import draw_speeds
 from ..realizer.realizing import Realizer
@@ -101,7 +101,7 @@ def _glb(realized: Realized, realizer: Realizer, avatar: bytes | None, keys: Key
 def _usd(realized: Realized, realizer: Realizer, form: MotionFormat, audio: AudioFile | None) -> bytes:
     """Raises ServiceError `usd_missing`."""
     require_usd()
-    from ..realizer.exporting.usd.stage import UsdForm, to_usd  # an optional extra
+    from ..realizer.exporting.usd import UsdForm, to_usd  # an optional extra
 
     performer = realizer.performer(realized.schedule.character)
     return to_usd(

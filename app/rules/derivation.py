@@ -16,13 +16,11 @@ from ..model import Because, Fact, Function, GivenFunction, Utterance
 from ..yaml_files import Source
 from .chaining.chainer import Derivation, derive
 from .chaining.facts import utterance_facts
-from .conflicts import Conflicts, resolved
 from .given import GIVEN, GIVEN_RULE, given_facts
 from .lexicon import Lexicon
 from .passages import by_passage, passage_starts
-from .priorities import Priorities
-from .program.class_names import PRINTED
-from .program.program import Program, load_program
+from .priorities import Conflicts, Priorities, resolved
+from .program.program import PRINTED, Program, load_program
 
 Value = TypeVar("Value")
 

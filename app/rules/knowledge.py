@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
 
 from ..errors import AuthoringError, Mistake
-from ..model.facts import Argument, Fact
+from ..model.functions import Argument, Fact
 
 Environment: TypeAlias = list[Any]
 """The slots of a rule while it is matched: its constants, the values of its variables, the facts it joined."""

@@ -20,8 +20,7 @@ from .chaining.chainer import Call, Choice, derive
 from .chaining.facts import utterance_facts
 from .language.tree import Choice as ChoiceTree
 from .passages import by_passage, passage_starts
-from .program.class_names import PRINTED
-from .program.program import Program, Rule, load_program
+from .program.program import PRINTED, Program, Rule, load_program
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,8 +13,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, ValidationEr
 from ..behavior.candidates.vocabulary import AVOIDABLE, FACES, GAZES, GESTURES, HEADS
 from ..errors import InputError
 from ..model import Avoidance, Demand, DirectedMoment, Direction
-from .mistakes import mistakes_told
-from .requests import read_object
+from .requests import mistakes_told, read_object
 
 FIELD = "direction"
 MOST_NOTES = 1000

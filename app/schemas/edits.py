@@ -29,9 +29,8 @@ from ..model.edits import (
 )
 from ..model.tables.lexemes import GazeDirection
 from .affect import affect_rows, affect_track
-from .mistakes import mistakes_told
 from .options import AffectValue, LevelName, ModeName, Seed
-from .requests import read_object
+from .requests import mistakes_told, read_object
 
 FIELD = "edits"
 MOST_EDITS = 500

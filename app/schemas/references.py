@@ -6,7 +6,7 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from ..errors import LONGEST_SHOWN, InputError
-from ..model.voice.speaker_reference import SpeakerReference
+from ..model.voice.signal import SpeakerReference
 
 Numbers = Annotated[list[Annotated[float, Field(allow_inf_nan=False)]], Field(min_length=1, max_length=1000)]
 

@@ -1,8 +1,14 @@
-"""Reads JSON objects that users send, and says what is wrong with them: the key, the reason, the nearest right name."""
+"""Reads JSON objects that users send, and says what is wrong with them: the key, the reason, the nearest right name.
+
+Mistakes are told each with its place, cut after the first few.
+
+A line without a recording (`understudy say`, `POST /perform` without audio) comes as marked text.
+"""
 
 import json
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import PurePath
 from typing import Annotated, Any, TypeVar
@@ -11,7 +17,9 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic_core import ErrorDetails
 
 from ..errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError, shown
-from ..model import Timings
+from ..marked_text.reading import read_marked
+from ..model import Direction, GivenFunction, Line, Timings
+from ..models import load_tag_table
 from ..suggestions import did_you_mean
 
 _ALLOWED = re.compile(r"'([^']*)'")
@@ -124,3 +132,38 @@ def _reason(found: ErrorDetails, model: type[BaseModel]) -> str:
     if isinstance(found["input"], str):
         return reason + did_you_mean(found["input"], _ALLOWED.findall(str(found.get("ctx", {}).get("expected", ""))))
     return reason
+
+
+_OURS = "Value error, "
+"""The prefix that pydantic puts before our messages."""
+
+
+def mistakes_told(error: ValidationError, *, most: int) -> str:
+    """The first `most` mistakes, and how many more there are."""
+    found = error.errors(include_url=False)
+    told = "; ".join(_told(tuple(each["loc"]), each["msg"].removeprefix(_OURS)) for each in found[:most])
+    return f"{told}; and {len(found) - most} more" if len(found) > most else told
+
+
+def _told(location: tuple[int | str, ...], message: str) -> str:
+    """A mistake with its place, such as `moments[2].stroke`."""
+    parts = (f"[{part}]" if isinstance(part, int) else f".{part[:LONGEST_SHOWN]}" for part in location)
+    where = "".join(parts).removeprefix(".")
+    return f"{where}: {message[0].lower()}{message[1:]}"
+
+
+def spoken_line(
+    text: str,
+    timings: Timings | None = None,
+    functions: Sequence[GivenFunction] = (),
+    direction: Direction | None = None,
+) -> Line:
+    """The line; what its tags ask for comes beside the functions and notes that were given.
+
+    Raises InputError `tags_wrong`, AuthoringError for the table of tags.
+    """
+    spoken = read_marked(text, load_tag_table)
+    if spoken.demands:
+        notes = direction or Direction()
+        direction = replace(notes, demands=(*notes.demands, *spoken.demands))
+    return Line(None, spoken.text, timings, (*functions, *spoken.functions), direction, spoken.speaking)

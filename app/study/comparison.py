@@ -1,10 +1,16 @@
-"""What is compared, and what raters are asked: the main paper's modes (§5), NGS's units and singletons (§4.1)."""
+"""What is compared, and what raters are asked: the main paper's modes (§5), NGS's units and singletons (§4.1).
+
+The key of a study tells what each clip shows. It stays with the experimenter; raters must not see it.
+"""
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from enum import StrEnum
+from pathlib import Path
 from types import MappingProxyType
 
 from ..model import Mode
+from ..options import Options
 
 UNITS, SINGLETONS = "U", "S"
 """Gestures joined to units, and each gesture back at rest before the next."""
@@ -26,6 +32,7 @@ LOWEST, HIGHEST = 1, 10
 """The grades of the form: not at all appropriate, very appropriate (§5)."""
 
 NATURAL = "natural"
+
 DIMENSIONS = (NATURAL, "friendly", "nervous", "extroverted", "competent", "trustworthy")
 """In which of two clips the character is more of it (NGS §4.1)."""
 
@@ -43,3 +50,47 @@ class Choice(StrEnum):
     BEST = "best"
     WORST = "worst"
     NEITHER = ""
+
+
+PAGE_FOLDER = "page"
+"""Under the output folder: what raters get."""
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """Where lines are read: a script or a folder, the folder of a script's recordings (None: that it lies in), and
+    where the study is written."""
+
+    lines: Path
+    audio: Path | None
+    out: Path
+
+
+@dataclass(frozen=True, slots=True)
+class StudyRequest:
+    """What is compared on which lines, how they are performed, and the seed of codes and orders, which is also that of
+    the performances."""
+
+    source: Source
+    comparison: Comparison
+    options: Options
+
+    @property
+    def seed(self) -> int:
+        return self.options.seed
+
+
+KEY_NAME = "key.csv"
+KEY_COLUMNS = ("clip", "line", "condition")
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """What a clip shows: a line in a condition."""
+
+    line: str
+    condition: str
+
+
+Key = Mapping[str, Shown]
+"""What clips show, by name."""

@@ -3,31 +3,35 @@
 The paper used Charniak's constituent parser and notes its problems with spoken language. We use a dependency parser
 trained on speech (training/parser), and derive noun phrases, verb groups and clauses from the dependencies. spaCy is
 imported with the first pipeline, to save memory and time where nothing is parsed (60 MB, half a second).
+
+Finds where sentences begin: at punctuation or, in a line without any, after long pauses.
+
+Parsers find sentence boundaries in unpunctuated speech badly (F about 40), so they are given. In a punctuated line a
+pause is a hesitation and ends nothing.
 """
 
 from __future__ import annotations
 
+import re
 import threading
 from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import accumulate
+from itertools import accumulate, pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import ServiceError
 from ..model import Parse, Token, Word
 from ..transcript import with_short_runs
-from .clauses import find_clauses
-from .phrases import find_phrases
+from .phrases import Tree, find_clauses, find_phrases
 from .pipelines import load_pipeline
-from .sentences import sentence_starts
 from .tokens import Scheme, read_tokens, scheme_of
-from .tree import Tree
 
 if TYPE_CHECKING:
     from spacy.language import Language
     from spacy.tokens import Doc
+
 
 _PROBE = "I must have seen those signals."
 _UNUSED_PIPES = ("ner", "senter", "textcat", "entity_linker")
@@ -130,3 +134,41 @@ def _begin_sentences(document: Doc, numbers: list[int], starts: frozenset[int]) 
         elif number in starts:
             token.is_sent_start = True
         previous = number
+
+
+LONG_PAUSE_S = 0.5
+"""The shortest pause between two words that ends a sentence in an unpunctuated line."""
+
+_CLOSING = "\"'”’)]*"
+_ENDS = (".", "!", "?", "…")
+_TRAILS_OFF = ("..", "…")
+_ABBREVIATION = re.compile(r"\W*((?i:mr|mrs|ms|dr|prof|st|sr|jr|vs|lt|sgt|capt)|[A-HJ-Z]|(\w\.)+\w)\.")
+_CAPITAL_FIRST = re.compile(r"[^\w]*[A-Z0-9]")
+
+
+def sentence_starts(words: tuple[Word, ...]) -> frozenset[int]:
+    """The indices of the words that begin a sentence; the first word always does."""
+    pairs = tuple(pairwise(words))
+    by_punctuation = {following.index for word, following in pairs if _ends_sentence(word.text, following.text)}
+    by_pause = {following.index for word, following in pairs if _pause_s(word, following) >= LONG_PAUSE_S}
+    is_punctuated = by_punctuation or any(_without_closing(word.text).endswith(_ENDS) for word in words[-1:])
+    return frozenset({word.index for word in words[:1]} | (by_punctuation if is_punctuated else by_pause))
+
+
+def _ends_sentence(text: str, following: str) -> bool:
+    """Whether the punctuation after a word ends a sentence; an ellipsis does only before a capital."""
+    last = _without_closing(text)
+    if not last.endswith(_ENDS) or _ABBREVIATION.fullmatch(text):
+        return False
+    return not last.endswith(_TRAILS_OFF) or bool(_CAPITAL_FIRST.match(following))
+
+
+def _without_closing(text: str) -> str:
+    """The word without the quotation marks and brackets that close after it."""
+    return text.rstrip(_CLOSING)
+
+
+def _pause_s(word: Word, following: Word) -> float:
+    if word.interval is None or following.interval is None:
+        return 0.0
+    return following.interval.start_s - word.interval.end_s

@@ -22,7 +22,7 @@ from training.affect.corpus import SYNTHETIC, Taught, joined
 from training.affect.experts import AffectRecipe, train_affect
 from understudy.acoustic.affect.affect_model import DIMENSIONS, FEATURE_SET, AffectModel
 from understudy.model import Affect, Tone
-from understudy.model.voice.speaker_reference import SpeakerReference
+from understudy.model.voice.signal import SpeakerReference
 
 SPEECH = Path(__file__).resolve().parents[3] / "shared" / "data" / "speech"
 ALL = (*CORPORA, SYNTHETIC)

@@ -40,7 +40,7 @@ from understudy.acoustic.agitation.voice_quality import voice_quality
 from understudy.acoustic.contours import contours_of
 from understudy.acoustic.signal.spectrum import mel_db, mfcc
 from understudy.model import Audio, Contours, FloatArray
-from understudy.model.voice.speaker_reference import SpeakerReference
+from understudy.model.voice.signal import SpeakerReference
 
 SPEECH = Path(__file__).resolve().parents[3] / "shared" / "data" / "speech"
 RAVDESS_FOLDS = 4

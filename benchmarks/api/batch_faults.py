@@ -44,7 +44,7 @@ def _file(folder: Path) -> None:
 
 
 def _read_only(_folder: Path) -> None:
-    Manifest(READ_ONLY).close()
+    Manifest(Path(READ_ONLY)).close()
 
 
 def _pipe(folder: Path) -> None:

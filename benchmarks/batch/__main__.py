@@ -16,15 +16,14 @@ import tempfile
 from concurrent.futures import Future
 from pathlib import Path
 
-from understudy.batch.batch import run_batch
+from understudy.batch.batch import Nobody, run_batch
 from understudy.batch.request import BatchRequest
-from understudy.batch.watching import Nobody
 from understudy.batch.work.files import write_files
 from understudy.batch.work.formats import LineFormat
 from understudy.batch.work.jobs import LineJob, LineOutcome, Measures, OutputFile
 from understudy.batch.work.speaking import ReferenceJob
 from understudy.model import Notice
-from understudy.model.voice.speaker_reference import SpeakerReference
+from understudy.model.voice.signal import SpeakerReference
 from understudy.settings import read_settings
 
 from .corpus import SPEECH, write_script

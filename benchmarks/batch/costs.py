@@ -2,7 +2,7 @@
 
     python -m benchmarks.batch.costs RECORDING TEXT_FILE
 
-prints processor seconds per second of speech (`app/batch/reports/costs.py` has them).
+prints processor seconds per second of speech (`app/batch/reports/dry_run.py` has them).
 """
 
 import sys

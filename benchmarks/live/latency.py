@@ -29,9 +29,9 @@ from understudy.acoustic.signal.decoding import decode
 from understudy.acoustic.signal.spectrum import energy_db
 from understudy.acoustic.stage import audio_limits
 from understudy.live.ear import Ear
-from understudy.live.events import LiveEvents
 from understudy.live.messages import BehaviorMessage, LiveOptions
 from understudy.live.models import LiveModels
+from understudy.live.movements import LiveEvents
 from understudy.live.session import LiveSession
 from understudy.model import SAMPLE_RATE_HZ, Audio, Channel, FloatArray
 from understudy.models import Understudy

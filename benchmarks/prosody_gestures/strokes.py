@@ -26,8 +26,7 @@ from benchmarks.prosody_gestures.tables import lived as committed
 from training.prosody_gestures.performed_lines import HANDS, STROKE, PerformedLine, learn, read_performed, strokes_of
 from training.prosody_gestures.train import CORPORA, FILE
 from understudy.acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
-from understudy.live.events import LiveEvent
-from understudy.live.movements import Movements
+from understudy.live.movements import LiveEvent, Movements
 from understudy.live.placing import Placer
 from understudy.live.table import FILE as LIVE
 from understudy.live.table import LiveTable
@@ -37,8 +36,7 @@ from understudy.prosody_gestures.context import in_context
 from understudy.prosody_gestures.live_gestures import COMMITMENT, LiveGestures
 from understudy.prosody_gestures.prosody import features, raw_frames
 from understudy.prosody_gestures.semi_markov import FRAME_S, states_by_frame
-from understudy.prosody_gestures.viterbi import decode
-from understudy.prosody_gestures.voice_model import VoiceModel
+from understudy.prosody_gestures.voice_model import VoiceModel, decode
 from understudy.resources import resource_folder
 
 DRAWS = 20

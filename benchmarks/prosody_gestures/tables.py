@@ -45,8 +45,7 @@ from understudy.prosody_gestures.semi_markov import (
     states_by_frame,
 )
 from understudy.prosody_gestures.trellis import EVERYTHING, Search
-from understudy.prosody_gestures.viterbi import decode
-from understudy.prosody_gestures.voice_model import learn_part
+from understudy.prosody_gestures.voice_model import decode, learn_part
 
 THEIRS = MappingProxyType(
     {

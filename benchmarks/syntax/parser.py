@@ -24,11 +24,9 @@ from spacy.training import Example
 from training.parser.augmentation import as_transcribed, to_documents
 from training.parser.treebank import Sentence, read_treebank
 from understudy.model import Parse, Token, Word
-from understudy.syntax.clauses import find_clauses
 from understudy.syntax.parser import Parser
-from understudy.syntax.phrases import find_phrases
+from understudy.syntax.phrases import Tree, find_clauses, find_phrases
 from understudy.syntax.tokens import Scheme, read_tokens
-from understudy.syntax.tree import Tree
 
 ROOT = Path(__file__).resolve().parents[2]
 SCORES = {"UPOS": "pos_acc", "XPOS": "tag_acc", "lemma": "lemma_acc", "UAS": "dep_uas", "LAS": "dep_las"}

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from understudy.authoring.inspection import find_unused, trace, trace_one
-from understudy.cli.inputs.corpus import read_corpus
+from understudy.cli.inputs.function_lines import read_corpus
 from understudy.cli.main import main
 from understudy.cli.outputs.traces import MOST_NEAR_MISSES, trace_lines
 from understudy.errors import InputError

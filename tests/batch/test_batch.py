@@ -10,10 +10,9 @@ import pytest
 import soundfile
 
 import understudy
-from understudy.batch.batch import run_batch
+from understudy.batch.batch import Nobody, run_batch
 from understudy.batch.manifest.entries import Entry, State
 from understudy.batch.request import BatchRequest
-from understudy.batch.watching import Nobody
 from understudy.batch.work.formats import LineFormat
 from understudy.bml.writing.writer import write_bml
 from understudy.errors import InputError

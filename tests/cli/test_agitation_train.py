@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 import soundfile
 
-from understudy.cli.environment import AGITATION_MODEL
-from understudy.cli.main import main
+from understudy.cli.main import AGITATION_MODEL, main
 from understudy.model import SAMPLE_RATE_HZ
 
 LEVELS = {"low": (110.0, 0.2, 0.9), "medium": (160.0, 0.4, 0.6), "high": (260.0, 0.8, 0.3)}

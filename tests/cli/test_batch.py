@@ -12,9 +12,8 @@ from pathlib import Path
 import psutil
 import pytest
 
-from understudy.batch.batch import run_batch
+from understudy.batch.batch import Nobody, run_batch
 from understudy.batch.request import BatchRequest
-from understudy.batch.watching import Nobody
 from understudy.cli.main import main
 from understudy.models import Understudy
 from understudy.settings import Settings

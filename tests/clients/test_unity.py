@@ -80,7 +80,7 @@ def test_bones_stand_as_the_clip_says_whatever_axes_they_have(program: list[str]
     for frame in (0, 1):
         command = [*program, "show", str(tmp_path / "clip.json"), str(tmp_path / "rig.json"), repr(frame / RATE_HZ)]
         shown = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
-        above = {None: Rotation.identity()}
+        above: dict[str | None, Rotation] = {None: Rotation.identity()}
         for name, parent in JOINTS.items():
             above[name] = above[parent] * Rotation.from_quat(tracks[name][frame])
             bone = name[0].upper() + name[1:]

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from understudy.edits.word_times import corrected
+from understudy.edits.words import corrected
 from understudy.model import Interval, Phone, Word
 from understudy.model.edits import HeardTime, WordEdit, WordReference
 

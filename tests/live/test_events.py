@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.acoustic.pitch.test_streaming import LINE
-from understudy.live.events import DECIDED_LATEST_S, LATEST_S, LiveEvent, LiveEvents
+from understudy.live.movements import DECIDED_LATEST_S, LATEST_S, LiveEvent, LiveEvents
 from understudy.live.voice import StreamingVoice
 from understudy.model import SAMPLE_RATE_HZ
 from understudy.prosody_gestures.voice_model import VoiceModel

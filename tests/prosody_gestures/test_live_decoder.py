@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 
 from tests.prosody_gestures.models import drawn_likelihoods, drawn_model, three_frames_at_least
-from tests.prosody_gestures.test_viterbi import score
+from tests.prosody_gestures.test_voice_model import score
 from understudy.errors import InputError
 from understudy.model import FloatArray
 from understudy.prosody_gestures.live_decoder import Commitment, LiveDecoder, Piece
 from understudy.prosody_gestures.semi_markov import Segment, SemiMarkovModel, similarity, states_by_frame
 from understudy.prosody_gestures.trellis import EVERYTHING, Search
-from understudy.prosody_gestures.viterbi import decode
+from understudy.prosody_gestures.voice_model import decode
 
 
 def lived(

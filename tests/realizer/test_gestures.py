@@ -12,13 +12,13 @@ import pytest
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.table.behavior_table import BehaviorEntry
 from understudy.model import Channel, FloatArray, Hand, Level
-from understudy.realizer.arms.key_poses import key_poses
 from understudy.realizer.body.contacts import penetrations_m
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.gestures.clips import clip
 from understudy.realizer.gestures.gesture import ArmKey, Clip, Definition, FrameType
 from understudy.realizer.gestures.gesture_space import sector_m
 from understudy.realizer.gestures.library import Library
+from understudy.realizer.pictures.gesture_sheet import key_poses
 from understudy.realizer.scheduling.selection import TOLERANCE_S
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -10,8 +10,8 @@ from tests.support.operations import operations_of
 from tests.support.words.utterances import utterance
 from understudy.errors import AuthoringError
 from understudy.model import Because, Function, Utterance
-from understudy.rules.conflicts import Conflicts, resolved
 from understudy.rules.derivation import FunctionRules, derive_functions
+from understudy.rules.priorities import Conflicts, resolved
 
 VOCABULARY = (Path(__file__).resolve().parents[2] / "app" / "rules" / "vocabulary.rules").read_text()
 

@@ -8,7 +8,7 @@ import pytest
 
 from understudy.cli.main import main
 from understudy.errors import InputError
-from understudy.model.voice.speaker_reference import SpeakerReference
+from understudy.model.voice.signal import SpeakerReference
 from understudy.schemas.options import read_options
 from understudy.schemas.references import read_reference, to_json
 

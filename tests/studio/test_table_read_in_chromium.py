@@ -11,9 +11,8 @@ from playwright.sync_api import Page
 from tests.studio.accessibility import serious_findings
 from tests.studio.waiting import PATIENCE_S, wait_until
 from tests.support.batches import ThisProcess
-from understudy.batch.batch import run_batch
+from understudy.batch.batch import Nobody, run_batch
 from understudy.batch.request import BatchRequest
-from understudy.batch.watching import Nobody
 from understudy.batch.work.formats import formats_named
 from understudy.batch.work.jobs import MotionForm
 from understudy.models import Understudy

@@ -2,8 +2,7 @@
 
 from tests.support.words.syntax_trees import read_tree
 from tests.syntax.test_phrases import FIGURE_8
-from understudy.syntax.clauses import find_clauses
-from understudy.syntax.tree import Tree
+from understudy.syntax.phrases import Tree, find_clauses
 
 
 def _clauses(table: str) -> list[tuple[str, int, int, int]]:

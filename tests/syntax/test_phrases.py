@@ -1,8 +1,7 @@
 """Noun phrases and verb groups of trees written by hand."""
 
 from tests.support.words.syntax_trees import read_tree
-from understudy.syntax.phrases import find_phrases
-from understudy.syntax.tree import Tree
+from understudy.syntax.phrases import Tree, find_phrases
 
 FIGURE_8 = """
     I        PRON  PRP  nsubj     1

@@ -4,10 +4,8 @@ import pytest
 
 from tests.support.words.syntax_trees import read_tree
 from understudy.model import Token
-from understudy.syntax.clauses import find_clauses
-from understudy.syntax.phrases import find_phrases
+from understudy.syntax.phrases import Tree, find_clauses, find_phrases
 from understudy.syntax.tokens import Scheme, scheme_of
-from understudy.syntax.tree import Tree
 
 PAIRS = {
     "objects, negation and particle": (

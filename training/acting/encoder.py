@@ -28,8 +28,7 @@ from torch import Tensor, nn
 from torch.nn.functional import binary_cross_entropy_with_logits
 
 from understudy.behavior.reading.delivery import WORDS_ALONE, Delivery, features_of
-from understudy.behavior.reading.encoder import MOST_PIECES
-from understudy.behavior.reading.wordpieces import FIRST, LAST, pieces_of
+from understudy.behavior.reading.encoder import FIRST, LAST, MOST_PIECES, pieces_of
 from understudy.model import SingleArray
 
 from .directed import (

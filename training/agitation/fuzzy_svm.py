@@ -23,7 +23,7 @@ from understudy.acoustic.agitation.fuzzy_training import (
 )
 from understudy.acoustic.agitation.speaker import TypicalSpeaker
 from understudy.model import FloatArray
-from understudy.model.voice.speaker_reference import SpeakerReference
+from understudy.model.voice.signal import SpeakerReference
 
 __all__ = [
     "Recipe",

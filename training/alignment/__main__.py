@@ -22,18 +22,20 @@ import numpy as np
 from training.alignment.degradations import by_telephone, equalised, in_a_room, in_noise
 from training.alignment.timit import Sentence, read_beginnings, read_sentences
 from understudy.acoustic.alignment.alignment import Aligner
-from understudy.acoustic.alignment.boundaries import BoundaryModel, kernel
-from understudy.acoustic.alignment.boundary_views import (
+from understudy.acoustic.alignment.boundaries import (
     BANDS,
     CONTEXT_STEPS,
     BoundaryArrays,
+    BoundaryModel,
     BoundaryView,
     Levels,
     Points,
+    are_adjacent,
+    boundaries,
+    kernel,
     levels_around,
     mel_levels,
 )
-from understudy.acoustic.alignment.phone_boundaries import are_adjacent, boundaries
 from understudy.errors import InputError
 from understudy.model import Audio, FloatArray, Word
 from understudy.transcript import read_transcript

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from ...errors import InputError
 from ...model import NEUTRAL, Affect, FloatArray, Tone, mean_affect
-from ...model.voice.speaker_reference import SpeakerReference
+from ...model.voice.signal import SpeakerReference
 from ..agitation.agitation import TRUST_RECORDINGS, FuzzySvm, svm_arrays, svm_of
 from ..agitation.speaker import TypicalSpeaker
 from ..agitation.stored import read_arrays, write_arrays

@@ -3,17 +3,34 @@
 Phrases are the words between pauses, each of which may sound different. Short ones join the next: what is heard in less
 than half a second says little about a feeling. A phrase is short, so what it sounds like counts by its length, and the
 line's feeling for the rest.
+
+A stretch of a recording with what is measured in it, of which shorter stretches can be taken.
 """
 
 import math
 from collections.abc import Iterator
+from dataclasses import dataclass, fields
 from itertools import pairwise
 from typing import Protocol
 
-from ...model import Affect, AffectTrack, Interval, LineAffect, PhraseAffect, Word, mean_affect
-from ...model.voice.speaker_reference import SpeakerReference
+from ...model import (
+    FRAME_SHIFT_S,
+    SAMPLE_RATE_HZ,
+    Affect,
+    AffectTrack,
+    Audio,
+    Contours,
+    FloatArray,
+    Interval,
+    LineAffect,
+    PhraseAffect,
+    VoiceQuality,
+    Word,
+    mean_affect,
+)
+from ...model.voice.signal import SpeakerReference
+from ..agitation.utterance_features import full_features
 from .affect_model import AffectModel
-from .stretch import Stretch
 
 SHORTEST_PAUSE_S = 0.25
 SHORTEST_PHRASE_S = 0.6
@@ -50,6 +67,36 @@ def _starts(words: tuple[Word, ...]) -> Iterator[int]:
         if after.start_s - before.end_s >= SHORTEST_PAUSE_S and long_enough:
             begun_s = after.start_s
             yield index
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stretch:
+    """Sound with its contours and voice quality, frame by frame."""
+
+    audio: Audio
+    contours: Contours
+    quality: VoiceQuality
+
+    @property
+    def duration_s(self) -> float:
+        return self.audio.duration_s
+
+    def between(self, interval: Interval) -> "Stretch | None":
+        """The part in an interval; None if it is too short to be described."""
+        first, last = (round(time_s / FRAME_SHIFT_S) for time_s in (interval.start_s, interval.end_s))
+        frames = slice(max(first, 0), last)
+        if len(self.contours.energy_db[frames]) < FEWEST_FRAMES:
+            return None
+        start, end = (round(time_s * SAMPLE_RATE_HZ) for time_s in (interval.start_s, interval.end_s))
+        return Stretch(
+            Audio(self.audio.samples[max(start, 0) : end]),
+            Contours(**{each.name: getattr(self.contours, each.name)[frames] for each in fields(Contours)}),
+            VoiceQuality(**{each.name: getattr(self.quality, each.name)[frames] for each in fields(VoiceQuality)}),
+        )
+
+    def features(self) -> FloatArray:
+        """The features of affect, NaN where unknown."""
+        return full_features(self.contours, self.quality)
 
 
 class AffectJudge(Protocol):
@@ -115,3 +162,7 @@ def _between(track: AffectTrack, interval: Interval) -> Affect:
     count = max(1, math.ceil(interval.duration_s / STEP_S))
     places = [interval.start_s + (place + 0.5) * interval.duration_s / count for place in range(count)]
     return mean_affect([track.at(place_s) for place_s in places], [1.0] * count)
+
+
+FEWEST_FRAMES = 30
+"""What is shorter is not described."""

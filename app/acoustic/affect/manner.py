@@ -14,7 +14,7 @@ import numpy as np
 
 from ...model import FRAME_SHIFT_S, Affect, Agitation, FloatArray, LineAffect, Manner, Tone, Word
 from ..agitation.utterance_features import PITCH_RANGE_OCTAVES, SYLLABLES_A_SECOND
-from .stretch import Stretch
+from .line_affect import Stretch
 
 MEASURES = ("arousal", "sadness", "syllables a second", "pitch range in octaves")
 USUAL = (-0.014, 0.118, 5.265, 0.634)

@@ -21,10 +21,10 @@ from numpy.typing import NDArray
 
 from ...errors import ServiceError
 from ...model import Affect, SingleArray
-from ...model.voice.speaker_reference import SpeakerReference
+from ...model.voice.signal import SpeakerReference
 from .affect_model import DIMENSIONS
 from .dimensions import affect_of_dimensions
-from .stretch import Stretch
+from .line_affect import Stretch
 
 USUAL_ORDER = ("activation", "dominance", "valence")
 _ALSO = {"arousal": "activation"}

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from ...errors import InputError
 from ...model import Agitation, Contours, FloatArray, Level, VoiceQuality
-from ...model.voice.speaker_reference import SpeakerReference
+from ...model.voice.signal import SpeakerReference
 from .speaker import TypicalSpeaker
 from .stored import read_arrays, write_arrays
 from .utterance_features import FEATURE_SETS

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...model import FloatArray
-from ...model.voice.speaker_reference import SpeakerReference
+from ...model.voice.signal import SpeakerReference
 
 MEAN_PRIOR = 3
 DEVIATION_PRIOR = 8

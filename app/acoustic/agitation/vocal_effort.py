@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Contours, FloatArray, SingleArray, VoiceQuality
-from ..signal.mel import mel_filters
-from ..signal.spectrum import FRAME_SAMPLES, MEL_BANDS, MEL_MIN_HZ
+from ..signal.spectrum import FRAME_SAMPLES, MEL_BANDS, MEL_MIN_HZ, mel_filters
 
 Mask = NDArray[np.bool_]
 Indices = NDArray[np.intp]

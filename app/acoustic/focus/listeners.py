@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 from ...errors import ServiceError
 from ...model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, FloatArray, Interval, SingleArray, Word
 from ..signal.frames import SHIFT_SAMPLES, blocks_of_frames
-from ..signal.mel import mel_filters
 from ..signal.products import product
+from ..signal.spectrum import mel_filters
 
 WINDOW_SAMPLES = 1024
 BANDS = 80

@@ -1,9 +1,9 @@
 """Fundamental frequency (f0) tracking by summation of residual harmonics (SRH).
 
-Inverse filtering by linear prediction removes the vocal tract (`understudy.acoustic.pitch.residual`); what remains of a
-voiced sound is a pulse train, whose spectrum has peaks of equal height at the multiples of f0
-(`understudy.acoustic.pitch.harmonics`). Source: paper §3.1.3, eq. 3; Drugman & Alwan, "Joint robust voicing detection
-and pitch estimation based on residual harmonics" (Interspeech 2011).
+Inverse filtering by linear prediction removes the vocal tract; what remains of a voiced sound is a pulse train, whose
+spectrum has peaks of equal height at the multiples of f0 (`understudy.acoustic.pitch.harmonics`). Source: paper §3.1.3,
+eq. 3; Drugman & Alwan, "Joint robust voicing detection and pitch estimation based on residual harmonics" (Interspeech
+2011).
 
 Frame k is centred on k × `FRAME_SHIFT_S`; frequencies are in Hz. `TUNED` differs from `PUBLISHED` in these points,
 measured together by `benchmarks.acoustic.pitch`:
@@ -28,12 +28,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, SingleArray
-from ..signal.best_path import best_path
 from ..signal.frames import BLOCK, frame_count
-from ..signal.peaks import is_peak, peak_offsets
 from .harmonics import BIN_HZ, CANDIDATES_HZ, LOWEST_F0_HZ, summed_harmonics
-from .periodicity import WIDEST_BELOW_LOUD_DB, Levels, band_levels, band_power, periods_nearby
-from .voicing import SRH_ALONE, WEIGHED, Voicing, measures, voiced_frames
+from .peak_paths import best_path, is_peak, peak_offsets
+from .voicing import (
+    SRH_ALONE,
+    WEIGHED,
+    WIDEST_BELOW_LOUD_DB,
+    Levels,
+    Voicing,
+    band_levels,
+    band_power,
+    measures,
+    periods_nearby,
+    voiced_frames,
+)
 
 ODD_DIVISORS = (3, 5, 7)
 RANGE_THRESHOLD = 0.1
@@ -54,7 +63,7 @@ class Tuning:
     octave_cost: cost, in SRH, of an octave jump between neighbouring frames; larger jumps cost no more.
     faintest_weight: weight in the path of frames 25 dB below the loud ones, which have weight 1.
     submultiple_share: share of the SRH at f / 3, f / 5 or f / 7 that is subtracted from that at f.
-    refines: whether f0 is refined to the best period nearby (`understudy.acoustic.pitch.periodicity`).
+    refines: whether f0 is refined to the best period nearby (`understudy.acoustic.pitch.voicing`).
     voicing: how voiced frames are found.
     """
 

@@ -14,19 +14,9 @@ from itertools import accumulate
 import numpy as np
 
 from ...model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, FloatArray, SingleArray
-from ..signal.best_path import best_path
 from ..signal.frames import SHIFT_SAMPLES, frame_count
 from .harmonics import CANDIDATES_HZ, MARGIN, RESIDUAL_FRAMES, summed_harmonics
-from .periodicity import (
-    LOUD_PERCENTILE,
-    QUIET_PERCENTILE,
-    WIDEST_ABOVE_QUIET_DB,
-    WIDEST_BELOW_LOUD_DB,
-    Levels,
-    band_level_db,
-    band_power,
-    periods_nearby,
-)
+from .peak_paths import best_path
 from .pitch import (
     RANGE_THRESHOLD,
     TUNED,
@@ -37,7 +27,17 @@ from .pitch import (
     merits_of,
     speaker_range,
 )
-from .voicing import measures
+from .voicing import (
+    LOUD_PERCENTILE,
+    QUIET_PERCENTILE,
+    WIDEST_ABOVE_QUIET_DB,
+    WIDEST_BELOW_LOUD_DB,
+    Levels,
+    band_level_db,
+    band_power,
+    measures,
+    periods_nearby,
+)
 
 PATH_FRAMES = 2
 VOICING_FRAMES = 2

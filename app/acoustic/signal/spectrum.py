@@ -2,17 +2,28 @@
 
 Frames are 32 ms long and placed as in `understudy.acoustic.signal.frames`. Levels are in dB re full scale squared, so
 that energy is 0 dB where the windowed samples' squares sum to 1.
+
+librosa's Mel filters and cepstral coefficients, as matrices by which a spectrum is multiplied.
+
+The scale is Slaney's (Auditory Toolbox, 1998), linear up to 1 kHz and logarithmic beyond; filters are triangles of area
+1 over hertz. Both are constants of librosa's, and importing librosa takes longer than analysing a line, and 180 MB
+(docs/measurements/speed.md): so it is imported only if a matrix is not cached (`understudy.cache`).
 """
+
+from collections.abc import Callable
+from functools import cache
+from importlib.metadata import version
 
 import numpy as np
 import scipy
 
+from ...cache import Cache
 from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, SingleArray
 from .frames import blocks_of_frames, frame_count
-from .mel import cepstral_basis, mel_filters
 from .products import product
 
 FRAME_SAMPLES = round(0.032 * SAMPLE_RATE_HZ)
+
 ENERGY_FLOOR_DB = -100.0
 """The energy of digital silence: some 20 dB below the rounding noise of 16-bit samples (about -78 dB per frame)."""
 
@@ -20,6 +31,7 @@ _LEAST_POWER = 1e-20
 """The minimum power of a Mel band, for digital silence."""
 
 MEL_BANDS = 40
+
 MEL_MIN_HZ = 80.0
 """Below the voice there is only rumble, which identifies the recording, not the voice."""
 
@@ -67,3 +79,46 @@ def mel_db(audio: Audio, *, min_hz: float = MEL_MIN_HZ) -> SingleArray:
         power = np.square(np.abs(scipy.fft.rfft(frames * _HANN)))
         levels_db[block] = 10 * np.log10(np.maximum(product(power, bands), _LEAST_POWER))
     return levels_db
+
+
+@cache
+def mel_filters(transform_samples: int, *, bands: int, lowest_hz: float, highest_hz: float) -> FloatArray:
+    """The filters (bands, 1 + transform_samples // 2) over the bins of a power spectrum, for bands of equal width on
+    the Mel scale from `lowest_hz` to `highest_hz`; read-only."""
+
+    def make() -> FloatArray:
+        from librosa.filters import mel
+
+        filters: FloatArray = mel(
+            sr=SAMPLE_RATE_HZ,
+            n_fft=transform_samples,
+            n_mels=bands,
+            fmin=lowest_hz,
+            fmax=highest_hz,
+            dtype=np.float64,
+        )
+        return filters
+
+    return _kept(f"mel_filters_{transform_samples}_{bands}_{lowest_hz:g}_{highest_hz:g}", make)
+
+
+@cache
+def cepstral_basis(bands: int, coefficients: int) -> FloatArray:
+    """The matrix from levels (…, bands) to MFCC 0 to `coefficients` - 1, shape (bands, coefficients); read-only.
+
+    MFCC are linear in the levels, so its rows are the MFCC of each band alone.
+    """
+
+    def make() -> FloatArray:
+        from librosa.feature import mfcc
+
+        basis: FloatArray = mfcc(S=np.eye(bands), n_mfcc=coefficients, dct_type=2, norm="ortho").T
+        return np.ascontiguousarray(basis)
+
+    return _kept(f"cepstral_basis_{bands}_{coefficients}", make)
+
+
+def _kept(name: str, make: Callable[[], FloatArray]) -> FloatArray:
+    matrix = Cache.of_environment().kept(name, (), make, made_with=f"librosa {version('librosa')}")
+    matrix.setflags(write=False)
+    return matrix

@@ -7,14 +7,13 @@ from fastapi.openapi.utils import get_openapi
 from pydantic import BaseModel
 from pydantic.json_schema import JsonSchemaMode, models_json_schema
 
-from ...schemas.avatar_pose import AvatarPoseOptions, AvatarPoseResponse
 from ...schemas.direction import DirectionRequest
 from ...schemas.edits import EditsForm
 from ...schemas.gestures.definitions import GestureCheckRequest, GestureCheckResponse, GestureMotionRequest
 from ...schemas.gestures.language import GestureLanguageResponse
 from ...schemas.given_functions import GivenFunctionRequest
 from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
-from ...schemas.motion import ClipResponse
+from ...schemas.motion import AvatarPoseOptions, AvatarPoseResponse, ClipResponse
 from ...schemas.options import PerformOptions, RealizeOptions
 from ...schemas.problem import Problem
 from ...schemas.requests import FunctionsRequest

@@ -24,10 +24,9 @@ from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits
 from ...schemas.given_functions import read_functions
 from ...schemas.options import RealizeOptions, read_options, read_realize_options
-from ...schemas.requests import read_object, read_request, read_timings
+from ...schemas.requests import read_object, read_request, read_timings, spoken_line
 from ...schemas.responses import FunctionsResponse, PerformResponse
 from ...schemas.rules import read_rule_part
-from ...schemas.spoken_lines import spoken_line
 from ..bodies import BML_TYPES, form_limits, media_type_of
 from ..negotiation import JSON, MOTION_TYPES, XML, chosen
 from . import authoring

@@ -3,16 +3,15 @@
 from pathlib import PurePath
 
 from ...authoring.catalogue import Catalogue
-from ...authoring.gesture_playing import Playing, schedule_of_gesture, with_only
-from ...authoring.gesture_texts import check_text, one_gesture
+from ...authoring.gesture_texts import Playing, check_text, one_gesture, schedule_of_gesture, with_only
 from ...authoring.rule_comparison import compare, example_lines
 from ...authoring.rule_edits import mistakes_in, with_edits
 from ...errors import InputError, TooLargeError, UnsupportedFormatError
 from ...library.motion import OURS, realize_prepared, write_realized
 from ...models import Understudy
-from ...realizer.exporting.avatars.pose import read_pose
-from ...schemas.avatar_pose import AvatarPoseResponse, read_pose_options
+from ...realizer.avatars.pose import read_pose
 from ...schemas.gestures.definitions import GestureCheckResponse, read_gesture_check, read_gesture_motion
+from ...schemas.motion import AvatarPoseResponse, read_pose_options
 from ...schemas.requests import read_object
 from ...schemas.rules import (
     MOST_LINES,

@@ -10,7 +10,7 @@ from pydantic import Field, RootModel
 from ...errors import AuthoringError, InputError, Mistake
 from ...model import AffectTrack, Level, Target
 from ...model.targets import targets_of
-from ...model.voice.speaker_reference import SpeakerReference
+from ...model.voice.signal import SpeakerReference
 from ...models import usable_profile
 from ...profiles.profile import Profile
 from ...schemas.affect import affect_track, read_affect_track

@@ -8,7 +8,7 @@ again.
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from ...model.voice.speaker_reference import SpeakerReference
+from ...model.voice.signal import SpeakerReference
 from ...schemas.references import read_reference, to_json
 from ..layout import file_name
 from ..work.audio import AudioSource

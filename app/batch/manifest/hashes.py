@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ...authored_folders import lexicon_folder, rules_folder
 from ...model.edits import NO_EDITS
-from ...model.voice.speaker_reference import SpeakerReference
+from ...model.voice.signal import SpeakerReference
 from ...resources import resource_folder
 from ...settings import Settings
 from ...version import __version__

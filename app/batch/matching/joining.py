@@ -2,18 +2,22 @@
 
 Names are compared without case. Of several takes the one that the line names is used, else the last, the first, or each
 as a line of its own.
+
+Finds the name that was probably meant, among ids of lines and names of recordings.
+
+Such names differ mostly in their numbers, and the next number is never what was meant. So two names are near if their
+numbers are the same except for leading zeros and their letters are similar.
 """
 
-from collections import defaultdict
-from collections.abc import Callable, Mapping, Sequence
+import re
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path, PurePosixPath
 
 from ..model import Recording, ScriptLine, Take
-from .near_names import NearNames
-from .patterns import Pattern
-from .recordings import RecordingFile
+from .recordings import Pattern, RecordingFile
 
 Candidates = list[tuple[RecordingFile, int | None]]
 
@@ -151,3 +155,40 @@ def _shared(takes: Sequence[Take]) -> tuple[tuple[Path, tuple[ScriptLine, ...]],
 
 def _wanted(line: ScriptLine) -> str:
     return PurePosixPath(line.recording.replace("\\", "/")).stem or line.id
+
+
+LEAST_LIKENESS = 0.6
+"""The least Dice coefficient of the trigrams of two names that are near."""
+
+_RUNS = re.compile(r"\d+|[^\W\d_]+")
+
+
+class NearNames:
+    """A set of names that is searched for near ones."""
+
+    def __init__(self, names: Iterable[str]) -> None:
+        self._by_numbers: dict[tuple[int, ...], list[tuple[str, Counter[str]]]] = defaultdict(list)
+        for name in names:
+            self._by_numbers[_numbers(name)].append((name, _trigrams(name)))
+
+    def nearest(self, name: str) -> str | None:
+        """The nearest name, or None."""
+        own = _trigrams(name)
+        likenesses = [(_likeness(own, theirs), other) for other, theirs in self._by_numbers[_numbers(name)]]
+        best = max(likenesses, default=(0.0, ""))
+        return best[1] if best[0] >= LEAST_LIKENESS else None
+
+
+def _numbers(name: str) -> tuple[int, ...]:
+    return tuple(int(run) for run in _RUNS.findall(name) if run.isdecimal())
+
+
+def _trigrams(name: str) -> Counter[str]:
+    """The trigrams of the letters, padded at both ends; numbers are compared separately."""
+    letters = "".join(run.casefold() for run in _RUNS.findall(name) if not run.isdecimal())
+    marked = f"  {letters} "
+    return Counter(marked[place : place + 3] for place in range(len(marked) - 2))
+
+
+def _likeness(first: Counter[str], second: Counter[str]) -> float:
+    return 2 * (first & second).total() / (first.total() + second.total())

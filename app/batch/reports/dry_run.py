@@ -1,21 +1,29 @@
 """Describes what a batch would do, as text: lines by character, what is missing, unused or duplicate, how long it would
-take."""
+take.
+
+What lines cost the processor, for the estimate of a dry run.
+
+Seconds are those of one processor of the machine on which `python -m benchmarks.batch.costs` measured them
+(docs/measurements/batch.md, "Batch").
+"""
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 
 import soundfile
 
 from ...model import Interval
+from ...model.formats.motion_formats import MotionFormat
 from ..compressed import is_compressed
 from ..manifest.entries import Entry, State
-from ..matching.near_names import NearNames
+from ..matching.joining import NearNames
 from ..model import place_told
 from ..planning import Plan, without_audio
+from ..work.formats import OutputFormat, needs_motion
 from ..work.jobs import LineJob
-from .costs import LOADING_S, REPORTS_S, VOICE, line_s, sheets_s
 
 MOST_TOLD = 40
 FIRST_LINES = 3
@@ -107,15 +115,6 @@ def _shared(plan: Plan) -> Iterator[str]:
         yield f"{path.name}: {', '.join(line.id for line in lines)}"
 
 
-def _summary(plan: Plan, durations_s: Mapping[str, float | None], expected: "_Expected", workers: int) -> str:
-    total_s = sum(duration_s or 0.0 for duration_s in durations_s.values())
-    expected_s = expected.whole_s + expected.shared_s / workers
-    return (
-        f"{len(plan.jobs)} lines with recordings, {total_s / 3600:.2f} hours; {expected.lines} to perform, "
-        f"about {_time(expected_s)} with {workers} workers, formats, listeners and pictures included"
-    )
-
-
 @dataclass(frozen=True, slots=True)
 class _Expected:
     """The number of lines to perform, the seconds that they take together, and those that more workers do not
@@ -124,6 +123,15 @@ class _Expected:
     lines: int
     shared_s: float
     whole_s: float
+
+
+def _summary(plan: Plan, durations_s: Mapping[str, float | None], expected: "_Expected", workers: int) -> str:
+    total_s = sum(duration_s or 0.0 for duration_s in durations_s.values())
+    expected_s = expected.whole_s + expected.shared_s / workers
+    return (
+        f"{len(plan.jobs)} lines with recordings, {total_s / 3600:.2f} hours; {expected.lines} to perform, "
+        f"about {_time(expected_s)} with {workers} workers, formats, listeners and pictures included"
+    )
 
 
 def _expected_s(
@@ -156,3 +164,49 @@ def _file_duration_s(path: Path) -> float | None:
         return float(soundfile.info(path).duration)
     except (soundfile.LibsndfileError, OSError):
         return 0.0 if is_compressed(path) else None
+
+
+LINE_S, SPEECH = 0.03, 0.025
+"""Seconds for a line, and for a second of its speech."""
+
+LISTENER, MOTION = 0.003, 0.006
+"""Seconds for a second of speech: for each listener, and for the motion of each body."""
+
+VOICE = 0.01
+"""Seconds for a second of a recording from which a voice is learnt."""
+
+SHEET_S = 0.2
+"""What a contact sheet takes beside `_FORMATS`: the line is performed again for it."""
+
+LOADING_S, REPORTS_S = 4.0, 2.0
+
+_FORMATS: Mapping[OutputFormat, float] = MappingProxyType(
+    {
+        MotionFormat.SHEET: 0.15,
+        MotionFormat.SPEEDS: 0.04,
+        MotionFormat.USDA: 0.022,
+        MotionFormat.USDC: 0.013,
+        MotionFormat.USDZ: 0.017,
+        MotionFormat.GLB: 0.004,
+        MotionFormat.BVH: 0.003,
+        MotionFormat.JSON: 0.003,
+        MotionFormat.FBX: 1.0,
+    }
+)
+
+_OTHER_FORMAT = 0.002
+"""Seconds for a second of speech, in each format, for each body if it is motion."""
+
+
+def line_s(job: LineJob, duration_s: float) -> float:
+    """The expected seconds for a line with its listeners and formats."""
+    forms = [target.form for target in job.targets]
+    bodies = 1 + len(job.options.listeners)
+    each = SPEECH + LISTENER * (bodies - 1) + (MOTION * bodies if needs_motion(forms) else 0.0)
+    each += sum(_FORMATS.get(form, _OTHER_FORMAT) * (bodies if isinstance(form, MotionFormat) else 1) for form in forms)
+    return LINE_S + each * duration_s
+
+
+def sheets_s(durations_s: Iterable[float]) -> float:
+    """The expected seconds for the contact sheets of lines in the report."""
+    return sum(SHEET_S + (SPEECH + MOTION + _FORMATS[MotionFormat.SHEET]) * duration_s for duration_s in durations_s)

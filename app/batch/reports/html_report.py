@@ -1,9 +1,14 @@
 """Writes `report.html`: every line in one file, the most urgent to check first, with its recording to listen to.
 
 Pictures are in the page; recordings and a line's files are linked, relative to the folder of the report.
+
+Draws the distributions of a batch's lines as one picture, with matplotlib (the extra `plot`).
 """
 
+from __future__ import annotations
+
 import base64
+import io
 import os
 import shlex
 from collections import Counter
@@ -12,12 +17,16 @@ from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 from string import Template
+from typing import TYPE_CHECKING
 from urllib.parse import quote
 
 from ..manifest.entries import Entry, State
-from .advice import plain_words
-from .attention import attention, reasons
-from .histograms import draw_histograms
+from ..work.jobs import Measures
+from .attention import attention, plain_words, reasons
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
 
 _TEMPLATE = Path(__file__).with_name("report.html")
 _COLUMNS = ("line", "words", "look at", "seconds", "agitation", "gestures")
@@ -155,3 +164,52 @@ def _links(entry: Entry) -> str:
 def _enlarging(thumbnail: Thumbnail, name: str) -> str:
     picture = _picture(thumbnail.content, "thumbnail", f"key poses of {name}")
     return f'<a class="enlarge" href="./{quote(thumbnail.path)}">{picture}</a>'
+
+
+INCHES = (12.0, 5.2)
+DOTS_PER_INCH = 80
+BINS = 30
+MOST_FUNCTIONS = 14
+COLOUR = "#1f4e79"
+
+
+def draw_histograms(measures: Sequence[Measures]) -> bytes | None:
+    """The picture as PNG; None where matplotlib is not installed."""
+    try:
+        from matplotlib.figure import Figure
+    except ModuleNotFoundError:
+        return None
+    figure = Figure(figsize=INCHES, layout="constrained")
+    rows = figure.subplots(2, 3)
+    _histogram(rows[0][0], [each.duration_s for each in measures], "seconds a line")
+    _histogram(rows[0][1], [60 * each.gestures / each.duration_s for each in measures], "gestures a minute")
+    spreads = [each.pitch_spread_st for each in measures if each.pitch_spread_st is not None]
+    _histogram(rows[0][2], spreads, "deviation of the pitch, semitones")
+    _bars(rows[1][0], Counter(each.agitation for each in measures), "agitation", order=("low", "medium", "high"))
+    _histogram(rows[1][1], [each.gestures_dropped for each in measures], "gestures that gave way")
+    functions: Counter[str] = Counter()
+    for each in measures:
+        functions.update(each.functions)
+    _bars(rows[1][2], functions, "functions", order=tuple(sorted(functions, key=lambda name: (-functions[name], name))))
+    content = io.BytesIO()
+    figure.savefig(content, format="png", dpi=DOTS_PER_INCH)
+    return content.getvalue()
+
+
+def _histogram(row: Axes, values: Sequence[float], label: str) -> None:
+    row.hist(values, bins=BINS, color=COLOUR)
+    _label(row, label)
+
+
+def _bars(row: Axes, counts: Counter[str], label: str, *, order: Sequence[str]) -> None:
+    shown = order[:MOST_FUNCTIONS]
+    row.barh(range(len(shown)), [counts[name] for name in shown], color=COLOUR)
+    row.set_yticks(range(len(shown)), shown, fontsize=7)
+    row.invert_yaxis()
+    _label(row, label)
+
+
+def _label(row: Axes, label: str) -> None:
+    row.set_title(label, fontsize=10)
+    row.tick_params(labelsize=8)
+    row.spines[["top", "right"]].set_visible(False)

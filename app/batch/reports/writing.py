@@ -1,14 +1,20 @@
-"""Writes every report of a batch."""
+"""Writes every report of a batch.
 
-from collections.abc import Mapping, Sequence
+Writes `report.csv`: one row a line, the most urgent to check first.
+
+Writes `index.json`: the performed lines and the paths of their files, for game engines.
+"""
+
+import csv
+import io
+import json
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
-from ..manifest.entries import Entry
+from ..manifest.entries import Entry, State
 from ..work.files import clear_unfinished, write_whole
-from .attention import attention
-from .csv_report import to_csv
+from .attention import attention, reasons
 from .html_report import Heading, Thumbnail, to_html
-from .index_json import to_index
 
 REPORTS = ("report.csv", "report.html", "index.json")
 
@@ -36,3 +42,96 @@ def remove_reports(out: Path) -> None:
     """Removes reports that are out of date; raises OSError."""
     for name in REPORTS:
         (out / name).unlink(missing_ok=True)
+
+
+COLUMNS = (
+    "row",
+    "id",
+    "character",
+    "performer",
+    "state",
+    "look_at",
+    "duration_s",
+    "agitation",
+    "functions",
+    "gestures",
+    "gestures_dropped",
+    "unplayed",
+    "emphasised_words",
+    "pitch_spread_st",
+    "warnings",
+    "error_code",
+    "error",
+    "text",
+    "audio",
+    "outputs",
+)
+
+
+def to_csv(entries: Iterable[Entry]) -> bytes:
+    """The report, in the order of `entries`; with a byte order mark, by which spreadsheets recognize UTF-8."""
+    stream = io.StringIO()
+    writer = csv.DictWriter(stream, COLUMNS, lineterminator="\r\n")
+    writer.writeheader()
+    writer.writerows(_row(entry) for entry in entries)
+    return stream.getvalue().encode("utf-8-sig")
+
+
+def _row(entry: Entry) -> Mapping[str, object]:
+    measures, failure = entry.measures, entry.failure
+    row: dict[str, object] = {
+        "row": entry.row,
+        "id": entry.id,
+        "character": entry.character,
+        "performer": entry.performer,
+        "state": entry.state.value,
+        "look_at": " ".join(reason for _weight, reason in reasons(entry)),
+        "warnings": " ".join(sorted({notice.code for notice in entry.warnings})),
+        "error_code": failure.code if failure else "",
+        "error": failure.message if failure else "",
+        "text": entry.text,
+        "audio": entry.audio,
+        "outputs": " ".join(file.path for file in entry.outputs),
+    }
+    if measures is not None:
+        row |= {
+            "duration_s": measures.duration_s,
+            "agitation": measures.agitation,
+            "functions": " ".join(f"{name}:{count}" for name, count in measures.functions.items()),
+            "gestures": measures.gestures,
+            "gestures_dropped": measures.gestures_dropped,
+            "unplayed": measures.unplayed,
+            "emphasised_words": measures.emphasised,
+            "pitch_spread_st": measures.pitch_spread_st,
+        }
+    return {name: _harmless(value) for name, value in row.items()}
+
+
+def _harmless(value: object) -> object:
+    """Marks as text what a spreadsheet would take for a formula."""
+    return f"'{value}" if isinstance(value, str) and value.startswith(("=", "+", "-", "@", "\t")) else value
+
+
+def to_index(script: str, entries: Iterable[Entry]) -> bytes:
+    """The lines that are done, in the script's order; paths are relative to the output folder."""
+    lines = [_line(entry) for entry in sorted(entries, key=lambda one: one.place) if entry.state is State.DONE]
+    return json.dumps({"script": script, "lines": lines}, indent=1, ensure_ascii=False).encode() + b"\n"
+
+
+def _line(entry: Entry) -> dict[str, object]:
+    listeners: dict[str, dict[str, str]] = {}
+    for file in entry.outputs:
+        if file.listener:
+            listeners.setdefault(file.listener, {})[file.form] = file.path
+    return {
+        "id": entry.id,
+        "character": entry.character,
+        "performer": entry.performer,
+        "text": entry.text,
+        "audio": entry.audio,
+        **({} if entry.start_s is None else {"start_s": entry.start_s, "end_s": entry.end_s}),
+        "duration_s": entry.measures.duration_s if entry.measures else None,
+        "agitation": entry.measures.agitation if entry.measures else None,
+        "files": {file.form: file.path for file in entry.outputs if not file.listener},
+        **({"listeners": listeners} if listeners else {}),
+    }

@@ -3,27 +3,30 @@ folders, read and written there.
 
 The scheduler itself retries a task whose worker died, as often as its `allowed-failures` says (3), then gives it up
 together with any others in the same worker; the supervisor finds the culprit.
+
+Prepares jobs for workers on other machines: with the recordings in them, their outputs to be sent back.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from concurrent.futures import Future
+from dataclasses import replace
 from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
 from ...errors import InputError, ServiceError
-from ...model.voice.speaker_reference import SpeakerReference
+from ...model.voice.signal import SpeakerReference
 from ...settings import Settings
 from ...version import __version__
-from ..work.jobs import LineJob, LineOutcome
+from ..work.jobs import Failure, LineJob, LineOutcome
 from ..work.speaking import ReferenceJob
 from ..work.worker import learn_in_worker, perform_in_worker, version_in_worker
 from .engine import WorkerDiedError
-from .sending import failed_to_send, sent, voice_sent
 
 if TYPE_CHECKING:
     from distributed import Client
     from distributed import Future as Remote
+
 
 Arguments = ParamSpec("Arguments")
 Result = TypeVar("Result")
@@ -109,3 +112,26 @@ def _tell(ended: Remote, done: Future[Result]) -> None:
         done.set_exception(error)
     else:
         done.set_result(ended.result())
+
+
+def sent(job: LineJob) -> LineJob:
+    """The job with its recording. Raises InputError when that cannot be read."""
+    return replace(job, audio=job.audio.to_send(), folder=None)
+
+
+def voice_sent(job: ReferenceJob) -> ReferenceJob:
+    """The job with its recordings. Those that cannot be read are left out; their own lines report why."""
+    found = []
+    for recording in job.recordings:
+        try:
+            found.append(recording.to_send())
+        except InputError:
+            continue
+    return replace(job, recordings=tuple(found))
+
+
+def failed_to_send(job: LineJob, error: InputError) -> Future[LineOutcome]:
+    """The outcome of a line whose recording cannot be read."""
+    done: Future[LineOutcome] = Future()
+    done.set_result(LineOutcome(job.id, 0.0, failure=Failure.of(error)))
+    return done

@@ -3,7 +3,7 @@
 from concurrent.futures import Future
 from typing import Protocol
 
-from ...model.voice.speaker_reference import SpeakerReference
+from ...model.voice.signal import SpeakerReference
 from ..work.jobs import LineJob, LineOutcome
 from ..work.speaking import ReferenceJob
 

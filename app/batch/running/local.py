@@ -2,7 +2,7 @@
 
 from concurrent.futures import Future
 
-from ...model.voice.speaker_reference import SpeakerReference
+from ...model.voice.signal import SpeakerReference
 from ...settings import Settings
 from ..work.jobs import LineJob, LineOutcome
 from ..work.speaking import ReferenceJob

@@ -20,7 +20,7 @@ from ...errors import InputError, ServiceError
 from ...model import EMPHASISED, Notice
 from ...model.edits import NO_EDITS
 from ...model.formats.bml_form import DialectName
-from ...model.voice.speaker_reference import SpeakerReference
+from ...model.voice.signal import SpeakerReference
 from ...profiles.files.writing import profile_yaml
 from ...profiles.profile import Profile
 from ...schemas.affect import affect_rows

@@ -7,8 +7,7 @@ from types import MappingProxyType
 
 from ...errors import InputError, TooLargeError, UnsupportedFormatError
 from ..model import Script
-from .delimited import read_delimited
-from .json_lines import read_json_lines
+from .delimited import read_delimited, read_json_lines
 from .screenplays import read_fdx, read_fountain
 from .subtitles import read_srt, read_webvtt
 from .workbooks import read_workbook

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from ...errors import InputError
 from ...library.hearing import AcousticModels, analyze_signal, make_reference
 from ...model import SignalAnalysis
-from ...model.voice.speaker_reference import SpeakerReference
+from ...model.voice.signal import SpeakerReference
 from .audio import AudioSource
 
 

@@ -3,7 +3,7 @@
 import gc
 from functools import cache
 
-from ...model.voice.speaker_reference import SpeakerReference
+from ...model.voice.signal import SpeakerReference
 from ...models import Understudy
 from ...settings import Settings
 from ...version import __version__

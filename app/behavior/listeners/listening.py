@@ -2,17 +2,26 @@
 
 The speaker's head movements are mirrored after half a second. Beyond the paper, the listener nods where the speaker
 pauses or ends a phrase (Yngve's back channels), blinks there, and looks at the speaker by the statistics of people who
-listen (`saccades.py`). The frequencies are measured (`head_rates.py`): people leave most movements unanswered and most
-pauses without a nod. Times are seconds of the speaker's audio.
+listen (`saccades.py`). The frequencies are measured: people leave most movements unanswered and most pauses without a
+nod. Times are seconds of the speaker's audio.
+
+They are read from `lexicon/acting/head_rates.yaml`.
+
+Probabilities are in [0, 1], times seconds. The file is written by `training/head_rates.py`; all mistakes in it are
+reported at once, with their places.
 """
 
 import random
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from pathlib import Path
 from types import MappingProxyType
 
+from pydantic import Field
+
 from ...model import Behavior, Channel, Utterance, Word
+from ...yaml_files import Entry, Source
 from ..characters.overlays import Character
 from ..choice.filling import Rest, fillers
 from ..choice.scheduling import numbered
@@ -22,7 +31,6 @@ from ..reading.player import Ban, banned
 from ..timing.anchoring import PlacedBehavior, placed_idle
 from ..timing.conflicts import resolve
 from ..timing.phases import Placing
-from .head_rates import HeadRates
 
 MIRROR_DELAY_S = 0.5
 """Paper §3.6."""
@@ -34,10 +42,28 @@ NOD = "small_nod"
 SHORTEST_REACTION_S = 0.1
 SHORTEST_BETWEEN_NODS_S = 2.5
 SHORTEST_PAUSE_S = 0.2
+
 PHRASE_ENDS = (".", ",", "?", "!", ";", ":")
 """Final characters of words that end a phrase without a pause; the rates were measured at such places."""
 
 _SIDES: Mapping[str, str] = MappingProxyType({"LEFT": "RIGHT", "RIGHT": "LEFT"})
+
+
+@dataclass(frozen=True, slots=True)
+class HeadRates:
+    """The probabilities of a nod at a speaker's pause, of one at punctuation without a pause, and of mirroring a head
+    movement; the mean and standard deviation of a nod's delay after the end of the phrase."""
+
+    nods_after_pause: float
+    nods_after_phrase: float
+    mirrored: float
+    delay_s: float
+    delay_spread_s: float
+
+    @classmethod
+    def load(cls, path: Path) -> "HeadRates":
+        """Raises AuthoringError with every mistake."""
+        return cls(**Source(path).validated(_HeadRatesFile).model_dump())
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,3 +164,11 @@ def _nods(timed: tuple[Word, ...], rates: HeadRates, generator: random.Random) -
             reason = "nods as the speaker pauses" if pauses else "nods as the speaker's phrase ends"
             yield IdleBehavior(NOD, at_s, word.index, reason)
             last_s = at_s
+
+
+class _HeadRatesFile(Entry):
+    nods_after_pause: float = Field(ge=0, le=1)
+    nods_after_phrase: float = Field(ge=0, le=1)
+    mirrored: float = Field(ge=0, le=1)
+    delay_s: float = Field(ge=0, le=5)
+    delay_spread_s: float = Field(ge=0, le=5)

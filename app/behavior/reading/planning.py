@@ -17,11 +17,8 @@ from typing import TypeAlias
 import numpy as np
 
 from ...model import BehaviorCandidates, Channel, Function, Moment, Rejected, SingleArray, Term, Utterance
-from ..mimes.finding import Mime, mimes_in
-from ..mimes.table import MimeTable
 from .authored_weights import TermNames, load_weights
 from .choice_model import ChoiceModel, log_odds_of, worth_of
-from .contrasts import CONTRAST, Ground, PlacedStroke, placed_strokes, with_placed
 from .decoding import (
     NEAR,
     USUAL_WORD_S,
@@ -38,7 +35,8 @@ from .delivery import Delivery
 from .encoder import Encoder, Reading
 from .families import Families, FamilyBehavior, merged
 from .kinds import KindWorths, kind_supports, kind_worths
-from .parallels import parallel_strokes
+from .mimes import Mime, MimeTable, mimes_in
+from .parallels import CONTRAST, Ground, PlacedStroke, parallel_strokes, placed_strokes, with_placed
 from .player import Player
 from .supports import Support, supports_of
 from .terms import Fact, TermTable, terms_of

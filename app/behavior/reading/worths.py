@@ -15,9 +15,9 @@ from math import log
 import numpy as np
 
 from ...model import SingleArray, Term
-from ..mimes.finding import Mime
 from .choice_model import ChoiceModel, log_odds_of
 from .families import OTHER_FAMILY, merged
+from .mimes import Mime
 from .supports import Support
 
 OTHER_SHARE = 0.7

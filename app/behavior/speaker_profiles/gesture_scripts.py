@@ -26,8 +26,7 @@ from ...profiles.generation.behaviors import behaviors_of
 from ...profiles.generation.generating import Speaker, generate
 from ...profiles.generation.repertoire import Closed, PlayableGesture, Repertoire
 from ...profiles.generation.script import GestureScript
-from ...profiles.profile import Profile
-from ...profiles.tags import tag_of, tags_of
+from ...profiles.profile import Profile, tag_of, tags_of
 from ...transcript import MAX_WORDS
 from ..candidates.notes import WORDS_NEAR
 from ..candidates.vocabulary import ANYTHING, HANDS, STILL

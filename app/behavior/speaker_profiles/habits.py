@@ -10,7 +10,7 @@ from ...profiles.generation.behaviors import PRIORITY, RESTS, STANCES
 from ...profiles.generation.units import rest_after
 from ...profiles.profile import Profile
 from ..characters.overlays import Character
-from ..listeners.head_rates import HeadRates
+from ..listeners.listening import HeadRates
 
 HEAD_MOVEMENTS_PER_MINUTE = 20.0
 """The rate of the default character in the lines of the example annotations; a speaker's own is relative to it."""

@@ -4,12 +4,14 @@ They depend on two times of the speech: `at_s`, when the stressed vowel of its w
 of its words ends. A share `alignment` of the stroke is before `at_s`; with alignment 1 it ends there, since a gesture's
 stroke comes at or before the stressed syllable and never after (McNeill 1992). The hold lasts until `until_s`. A
 behaviour without a stroke reaches its peak at `at_s`. Times are seconds, whole milliseconds.
+
+Gives each gesture the manner of the voice at its stroke: how big, how fast, how tense it is.
 """
 
 from dataclasses import dataclass, replace
 from math import inf
 
-from ...model import SyncPoints
+from ...model import Behavior, Channel, SyncPoints, Utterance
 from ..table.behavior_table import Phase, Timing
 
 _SLACK_S = 1e-6
@@ -94,3 +96,22 @@ def _taken(room_s: float, outer: Phase, inner: Phase, part: float = 1.0) -> tupl
 def _rounded(time_s: float) -> float:
     """Whole milliseconds, and no negative zero."""
     return round(time_s, 3) + 0.0
+
+
+def with_manner(behaviors: tuple[Behavior, ...], utterance: Utterance) -> tuple[Behavior, ...]:
+    """The behaviours, those gestures with a manner that are stroked while words are spoken whose manner is known."""
+    if not utterance.manners:
+        return behaviors
+    return tuple(_in_manner(each, utterance) if each.kind is Channel.GESTURE else each for each in behaviors)
+
+
+def _in_manner(gesture: Behavior, utterance: Utterance) -> Behavior:
+    """The gesture with the manner of the word that is nearest to its stroke."""
+    stroke_s = next(
+        time_s for time_s in (gesture.sync.stroke, gesture.sync.stroke_end, gesture.sync.start) if time_s is not None
+    )
+    timed = [(word.index, word.interval) for word in utterance.words if word.interval]
+    if not timed:
+        return gesture
+    nearest, _ = min(timed, key=lambda each: max(each[1].start_s - stroke_s, stroke_s - each[1].end_s, 0.0))
+    return replace(gesture, manner=utterance.manners[nearest])

@@ -25,7 +25,7 @@ BMLA = "http://www.asap-project.org/bmla"
 OURS = "urn:understudy:performance"
 RECORD_TYPE = "application/vnd.understudy.performance+xml"
 """The namespace, and the type of the `description` of a speech, of what our realizer needs and the core cannot say
-(`understudy.bml.writing.record`). Other realizers skip a description whose type they do not know."""
+(`understudy.bml.writing.blocks`). Other realizers skip a description whose type they do not know."""
 
 
 class Kind(StrEnum):

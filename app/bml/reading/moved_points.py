@@ -1,6 +1,6 @@
 """Moves the other sync points along with those moved by hand in a file of ours.
 
-The record has the durations of each behaviour's phases as scheduled (`understudy.bml.writing.record`). Points that no
+The record has the durations of each behaviour's phases as scheduled (`understudy.bml.writing.blocks`). Points that no
 longer agree with most of the others were moved. If that is a point up to the end of the stroke, the whole behaviour
 moves by as much, because strokes are never stretched; if it is `relax`, which lengthens or shortens a hold, `end` moves
 too; `end` moves alone. Points that were moved stay where they were put. Points at 0 that are written a moment later
@@ -15,8 +15,8 @@ from itertools import accumulate
 from ...model import Notice
 from ..markup.documents import Element, Reference, Time
 from ..markup.elements import OURS, ElementKind
-from ..markup.marks import FIRST_MOMENT_S
 from ..markup.mistakes import kind_of, typed_attributes
+from ..markup.speech import FIRST_MOMENT_S
 from ..markup.values import text_of
 
 _FIRST_COUNTS = ("stroke", "strokeEnd", "strokeStart", "attackPeak", "ready", "start", "relax")

@@ -1,4 +1,4 @@
-"""Reads the record that our writer puts into the description of a speech (`understudy.bml.writing.record`).
+"""Reads the record that our writer puts into the description of a speech (`understudy.bml.writing.blocks`).
 
 Behaviours that were added by hand have no record, and records of deleted behaviours are ignored. If the words of the
 speech have changed since, their times are not known.
@@ -12,9 +12,8 @@ from types import MappingProxyType
 from ...model import Behavior, Channel, Interval, Level, Manner, Notice, Phone, SyncPoints, Word
 from ..markup.documents import Document, Element, Value
 from ..markup.elements import RECORD_TYPE
-from ..markup.marks import FIRST_MOMENT_S
 from ..markup.slots import read_slots
-from ..markup.speech import behaviors_of, speech_of
+from ..markup.speech import FIRST_MOMENT_S, behaviors_of, speech_of
 
 
 @dataclass(frozen=True, slots=True)

@@ -22,7 +22,7 @@ from ..markup.documents import (
     Value,
 )
 from ..markup.elements import SBM
-from ..markup.marks import time_formatter, to_milli
+from ..markup.speech import time_formatter, to_milli
 from .blocks import GAZE_RANGE_DEGREES, MODES
 from .smartbody_speech import UNSAFE, first_mark, safe, speech_element
 from .smartbody_tables import GestureName, SmartBodyTables

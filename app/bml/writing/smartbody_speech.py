@@ -11,7 +11,7 @@ from ...model import Performance, Viseme, Word
 from ...model.formats.bml_form import DialectName, TimeForm
 from ...model.tables.mouth_shapes import SILENCE
 from ..markup.documents import Document, Element, Value
-from ..markup.marks import SPEECH, to_milli
+from ..markup.speech import SPEECH, to_milli
 from .smartbody_tables import MouthShape
 
 UNSAFE = "&<>"

@@ -1,17 +1,22 @@
 """Writes the kept behaviours of a performance as BML, in the requested dialect and time form (docs/references.md).
 
 `understudy.bml.writing.blocks` and `understudy.bml.writing.smartbody` build the document,
-`understudy.bml.markup.xml_writing` writes it as XML, `understudy.bml.writing.json_form` as JSON.
+`understudy.bml.markup.xml_writing` writes it as XML, `understudy.bml.writing.writer` as JSON.
+
+Writes BML documents as JSON; docs/bml-json.md has the schema.
+
+An element is an object with the keys `element`, `attributes` and `content`, the last two only if not empty. Numbers are
+numbers, a reference is an object, everything else is text.
 """
 
+import json
 from dataclasses import dataclass, replace
 
 from ...model import Listening, Notice, Parse, Performance
 from ...model.formats.bml_form import CORE_FORM, BmlForm, DialectName, TimeForm
-from ..markup.documents import Document
+from ..markup.documents import Document, Element, Reference, Value
 from ..markup.xml_writing import to_xml
 from .blocks import to_core
-from .json_form import to_json
 from .smartbody import left_out, to_smartbody
 from .smartbody_speech import safe, speech_file
 from .smartbody_tables import shipped_tables
@@ -80,3 +85,28 @@ def to_document(performance: Performance, form: BmlForm = CORE_FORM) -> Document
             return to_core(performance, form.timing, form.audio_file if form.bmlt_audio else None)
         case DialectName.SMARTBODY:
             return to_smartbody(performance, form.timing, shipped_tables(), audio_name=form.audio_name)
+
+
+Json = str | int | float | dict[str, "Json"] | list["Json"]
+
+
+def to_json(document: Document) -> bytes:
+    """The document as indented UTF-8 JSON; deterministic."""
+    told: Json = {"dialect": document.dialect.value, "root": _element(document.root)}
+    return json.dumps(told, ensure_ascii=False, indent=1).encode() + b"\n"
+
+
+def _element(element: Element) -> Json:
+    told: dict[str, Json] = {"element": element.name}
+    if element.attributes:
+        told["attributes"] = {name: _value(value) for name, value in element.attributes.items()}
+    if element.content:
+        told["content"] = [part if isinstance(part, str) else _element(part) for part in element.content]
+    return told
+
+
+def _value(value: Value) -> Json:
+    if not isinstance(value, Reference):
+        return value
+    block: dict[str, Json] = {"block": value.block} if value.block else {}
+    return {**block, "behavior": value.behavior, "point": value.point, "offset_s": value.offset_s}

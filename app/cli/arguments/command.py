@@ -1,10 +1,11 @@
-"""Adds a command, or an action of a command, to those of a parser."""
+"""Adds a command, or an action of a command, to those of a parser.
+
+Options that may be given only once: argparse would silently drop the first of two.
+"""
 
 import argparse
 from collections.abc import Callable
 from functools import partial
-
-from .once import Once
 
 Adding = Callable[[str, str], argparse.ArgumentParser]
 """Adds a command, given its name and what it does."""
@@ -40,3 +41,21 @@ def voices() -> argparse.ArgumentParser:
     voice.add_argument("--quiet", action="store_true", help="say nothing on standard error but errors")
     voice.add_argument("--json-log", action="store_true", help="one JSON object a line on standard error")
     return parser
+
+
+class Once(argparse.Action):
+    """Stores the value of an argument, and refuses an option that was given before on the same command line."""
+
+    _is_given = False
+
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: object,
+        option_string: str | None = None,
+    ) -> None:
+        if option_string and self._is_given:
+            parser.error(f"{option_string} is given twice; give it once")
+        self._is_given = True
+        setattr(namespace, self.dest, values)

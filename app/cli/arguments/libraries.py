@@ -6,8 +6,7 @@ from ...option_table import PERFORMANCE
 from ..distinct_files import InputFile, OutputFile
 from ..files import STANDARD
 from .command import Adding, actions_of
-from .options import add_options
-from .shared import add_output
+from .options import add_options, add_output
 
 PAIRS_HELP = "recordings with motion: NAME.bvh with NAME.wav, or NAME.npz; NAME.affect.csv beside them is their affect"
 

@@ -6,15 +6,20 @@ from ...option_table import MOTION, PERFORMANCE
 from ..distinct_files import InputFile, OutputFile
 from ..files import STANDARD
 from .command import Adding
-from .options import add_form, add_manner, add_motion, add_option, add_options, add_reference
-from .shared import (
+from .options import (
     AUDIO_HELP,
     MOTION_HELP,
     add_agitation_model,
+    add_form,
     add_functions,
     add_line,
+    add_manner,
+    add_motion,
     add_motion_model,
+    add_option,
+    add_options,
     add_output,
+    add_reference,
     add_text,
     add_words,
 )

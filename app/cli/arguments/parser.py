@@ -1,4 +1,7 @@
-"""The parser of the whole command line, with every command in its order."""
+"""The parser of the whole command line, with every command in its order.
+
+Here are also the arguments of `serve`, `studio` and `study`.
+"""
 
 import argparse
 import sys
@@ -6,13 +9,15 @@ from collections.abc import Sequence
 from typing import Any, NoReturn
 
 from ...errors import InputError
+from ...option_table import PERFORMANCE
+from ...study.comparison import Comparison
 from ...version import __version__
-from .batch import add_batch
-from .command import commands_of, voices
+from ..distinct_files import InputFile, OutputFile
+from .batch import SCRIPTS_HELP, add_batch
+from .command import Adding, actions_of, commands_of, voices
 from .libraries import add_characters, add_gestures, add_motion_models, add_profiles, add_rules
 from .lines import add_analyses, add_live, add_perform, add_realize, add_say, add_script
-from .serving import add_serve, add_studio
-from .study import add_study
+from .options import add_agitation_model, add_options
 
 _TRAIN = "agitation train"
 
@@ -59,3 +64,75 @@ def make_parser() -> argparse.ArgumentParser:
     add_serve(add)
     add_studio(add)
     return parser
+
+
+LARGEST_PORT = 65535
+
+
+def add_serve(add: Adding) -> None:
+    parser = add("serve", "run the HTTP service")
+    parser.add_argument("--host", help="address to listen on (default: UNDERSTUDY_HOST, else 127.0.0.1)")
+    parser.add_argument("--port", type=_port, help="port to listen on (default: UNDERSTUDY_PORT, else 8000)")
+    add_agitation_model(parser)
+    _add_origins(parser)
+    parser.add_argument("--reload", action="store_true", help="read rules, words and characters again when saved")
+
+
+def add_studio(add: Adding) -> None:
+    parser = add("studio", "open the studio page: perform a line, look at it, change it, export it")
+    parser.add_argument("audio", metavar="AUDIO", type=InputFile, nargs="?", help="a line to open (WAV, FLAC, OGG)")
+    text = parser.add_mutually_exclusive_group()
+    text.add_argument("--text", help="the words that are spoken")
+    text.add_argument("--text-file", metavar="FILE", type=InputFile, help="a file that holds them")
+    parser.add_argument("--scene", metavar="DIR", help="a scene for a table read: the folder that batch wrote to")
+    parser.add_argument("--port", type=_port, default=0, help="port to listen on (default: one that is free)")
+    parser.add_argument("--rules", metavar="DIR", help="a folder in which the page may save edited rules and words")
+    add_agitation_model(parser)
+    _add_origins(parser)
+    parser.add_argument("--no-browser", action="store_true", help="only say where the page is")
+    parser.add_argument("--reload", action="store_true", help="read rules, words and characters again when saved")
+
+
+def _add_origins(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--allow-origin",
+        metavar="ORIGIN",
+        action="append",
+        help="pages of this origin, such as http://localhost:5173, may call the service; may be repeated",
+    )
+
+
+def _port(text: str) -> int:
+    if not text.isdecimal() or int(text) > LARGEST_PORT:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a port, which is a number from 0 to {LARGEST_PORT}")
+    return int(text)
+
+
+def add_study(add: Adding) -> None:
+    add_action = actions_of(add("study", "the papers' comparisons: clips and a blind page, statistics"))
+    _add_make(add_action("make", "clips of lines in each condition, and a page on which raters judge them"))
+    score = add_action("score", "the statistics of raters' answers, as the papers' tables")
+    score.add_argument("answers", metavar="ANSWERS.csv", nargs="+", type=InputFile, help="the files that raters saved")
+    score.add_argument(
+        "--key",
+        metavar="KEY.csv",
+        type=InputFile,
+        help="what each clip shows, from study make (default: key.csv beside the answers or one folder up)",
+    )
+    score.add_argument("-o", "--output", metavar="REPORT", type=OutputFile, help="also write the report: .json or .md")
+
+
+def _add_make(make: argparse.ArgumentParser) -> None:
+    told = f"{SCRIPTS_HELP}; or a folder of recordings, each with its words in a .txt of the same name"
+    make.add_argument("lines", metavar="LINES", help=told)
+    make.add_argument("--audio", metavar="DIR", help="the folder of the script's recordings (default: where it lies)")
+    make.add_argument("--out", metavar="DIR", required=True, help="where page and key go")
+    make.add_argument(
+        "--compare",
+        choices=[each.value for each in Comparison],
+        default=Comparison.MODES.value,
+        help="gestures from meaning, stress and chance (default), or gestures in units and single ones",
+    )
+    make.add_argument("--profile", metavar="P", help="of units: whose gestures, as in perform (default sweeping)")
+    add_options(make, PERFORMANCE, "character")
+    make.add_argument("--seed", type=int, default=0, help="another number draws other gestures and orders (default 0)")

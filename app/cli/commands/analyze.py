@@ -5,10 +5,9 @@ import argparse
 from ...library.checks import check_line
 from ...settings import read_settings
 from ..files import require_writable, write, write_standard
-from ..inputs.affect import optional_affect
 from ..inputs.hearing import require_reference, speaker_reference
 from ..inputs.lines import read_line
-from ..inputs.options import level_of
+from ..inputs.options import level_of, optional_affect
 from ..log import Log
 from ..outputs.plot import plot, require_plot
 

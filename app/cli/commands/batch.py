@@ -8,7 +8,7 @@ from ...batch.batch import entries_before, run_batch
 from ...batch.layout import OURS, USUAL, Layout
 from ...batch.manifest.entries import Entry, State
 from ...batch.matching.joining import Choice
-from ...batch.matching.patterns import Pattern
+from ...batch.matching.recordings import Pattern
 from ...batch.planning import plan_batch
 from ...batch.reports.dry_run import dry_run
 from ...batch.request import BatchRequest

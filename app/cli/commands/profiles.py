@@ -16,16 +16,16 @@ from ...profiles.annotation.tables import write_json_tracks
 from ...profiles.annotation.tracks import KNOWN, PHRASE_ATTRIBUTES, Track, merged, rows_of, with_attribute_tracks
 from ...profiles.files.writing import profile_yaml
 from ...profiles.generation.behaviors import RESTS, STANCES
-from ...profiles.learning.doubts import doubts
+from ...profiles.learning.learning import doubts
 from ...profiles.mixing import mix
 from ...profiles.proposing.bvh import read_wrists
 from ...profiles.proposing.phases import ProposedUnit, proposed_units
 from ...profiles.proposing.proposing import proposed_tracks
 from ...settings import read_settings
 from ..files import STANDARD, read_bytes, require_writable, write, write_standard
-from ..inputs.profiles import named_profile
+from ..inputs.options import named_profile
 from ..log import Log
-from ..outputs.profile_listing import profile_lines
+from ..outputs.listings import profile_lines
 
 if TYPE_CHECKING:
     from ...models import LanguageModels

@@ -110,7 +110,7 @@ def _unused(arguments: argparse.Namespace, _log: Log) -> None:
     from ...authoring.inspection import find_unused
     from ...models import BehaviorModels, LanguageModels
     from ...settings import read_settings
-    from ..inputs.corpus import read_corpus
+    from ..inputs.function_lines import read_corpus
     from ..outputs.traces import unused_lines
 
     settings = read_settings()

@@ -12,11 +12,9 @@ from ...model import Notice
 from ...options import Options
 from ...profiles.profile import Profile
 from ...settings import read_settings
-from ...study.comparison import Comparison
-from ...study.key import KEY_NAME
-from ...study.request import PAGE_FOLDER, Source, StudyRequest
+from ...study.comparison import KEY_NAME, PAGE_FOLDER, Comparison, Source, StudyRequest
 from ..files import require_writable, write, write_standard
-from ..inputs.profiles import optional_profile
+from ..inputs.options import optional_profile
 from ..log import Log
 
 REPORTS = (".json", ".md")
@@ -62,8 +60,7 @@ def _score(arguments: argparse.Namespace, _log: Log) -> None:
     if arguments.output is not None:
         _require_report(arguments.output)
     from ...study.scoring.reading import read_answers  # scipy's statistics take half a second to import
-    from ...study.scoring.report import report_json, report_markdown
-    from ...study.scoring.scoring import score
+    from ...study.scoring.report import report_json, report_markdown, score
 
     answers = read_answers([Path(name) for name in arguments.answers], arguments.key and Path(arguments.key))
     statistics = score(answers)

@@ -7,7 +7,7 @@ from pathlib import PurePath
 from ...errors import InputError
 from ...library.hearing import AcousticModels, analyze_signal, make_reference
 from ...model import SignalAnalysis
-from ...model.voice.speaker_reference import SpeakerReference
+from ...model.voice.signal import SpeakerReference
 from ...schemas.references import read_reference
 from ...settings import Settings
 from ..files import STANDARD, read_bytes

@@ -8,8 +8,7 @@ from ...model.edits import NO_EDITS, Edits
 from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits
 from ...schemas.given_functions import read_functions
-from ...schemas.requests import read_timings
-from ...schemas.spoken_lines import spoken_line
+from ...schemas.requests import read_timings, spoken_line
 from ...settings import Settings
 from ..files import STANDARD, read_bytes, read_text
 

@@ -4,9 +4,13 @@ every shape in each frame, for datagrams get lost.
 VMC is Unity's: left-handed, Y up, the avatar faces +Z and its left is -X. Ours is right-handed with the left at +X, so
 x is mirrored: places (-x, y, z), rotations (x, -y, -z, w). Bones go by Unity's names (HumanBodyBones), places are local
 to the parent.
+
+Messages and bundles of Open Sound Control 1.0, as bytes: strings end in zeros and fill words of four bytes, numbers are
+big-endian, a bundle's messages each follow their length.
 """
 
-from collections.abc import Iterator, Mapping
+import struct
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
 from types import MappingProxyType
@@ -18,7 +22,6 @@ from ...realizer.body.motion import SHAPES
 from ...realizer.body.skeleton import Skeleton
 from ...realizer.face.face_tables import INDEX
 from ..body import BodyFrame
-from .osc import bundles, message, message_head
 
 PORT = 39539
 
@@ -26,6 +29,7 @@ _THUMBS: Mapping[str, str] = MappingProxyType({"Metacarpal": "Proximal", "Proxim
 """VRM's names of a thumb's bones, and Unity's."""
 
 _HEAD = frozenset({"neck", "head", "leftEye", "rightEye"})
+
 _PRESETS: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "A": ("jawOpen",),
@@ -107,3 +111,39 @@ def _shapes_of(face: VmcFace) -> list[tuple[bytes, list[int]]]:
 
 def _mirrored_places(places_m: FloatArray) -> FloatArray:
     return np.asarray(places_m * (-1, 1, 1))
+
+
+MOST_BYTES = 1400
+"""A datagram this small is not cut into pieces on its way through usual networks."""
+
+_NOW = struct.pack(">Q", 1)
+_BUNDLE = b"#bundle\0" + _NOW
+_LENGTH = struct.Struct(">i")
+
+
+def message(head: bytes, numbers: Iterable[float] = ()) -> bytes:
+    """A message whose address, types and strings are packed already (`message_head`), with its floats."""
+    values = tuple(numbers)
+    return head + struct.pack(f">{len(values)}f", *values)
+
+
+def message_head(address: str, types: str, *strings: str) -> bytes:
+    """What comes before a message's numbers. `types` are those of all arguments, the strings (s) first."""
+    return b"".join(map(_padded, (address, f",{types}", *strings)))
+
+
+def bundles(messages: Iterable[bytes], most_bytes: int = MOST_BYTES) -> Iterator[bytes]:
+    """As few bundles as have room for the messages in their order, none larger than `most_bytes`."""
+    held = _BUNDLE
+    for each in messages:
+        element = _LENGTH.pack(len(each)) + each
+        if len(held) + len(element) > most_bytes and held != _BUNDLE:
+            yield held
+            held = _BUNDLE
+        held += element
+    yield held
+
+
+def _padded(text: str) -> bytes:
+    content = text.encode("ascii") + b"\0"
+    return content + b"\0" * (-len(content) % 4)

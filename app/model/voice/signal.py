@@ -1,5 +1,11 @@
-"""The recording and what is measured in it frame by frame."""
+"""The recording and what is measured in it frame by frame.
 
+How a line without a recording is to be spoken, by what marks in its text say.
+
+How a speaker usually sounds: the statistics of other recordings, by which an utterance is normalized.
+"""
+
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -45,10 +51,48 @@ class VoiceQuality:
     cepstral_peak_db: cepstral peak prominence between 60 and 500 Hz over a regression line (Hillenbrand, Cleveland &
         Erickson 1994).
     tilt_db: power from 1 to 5 kHz over power from 50 Hz to 1 kHz.
-    peak_slope: slope of wavelet peaks over octaves (`understudy.acoustic.agitation.peak_slope`).
+    peak_slope: slope of wavelet peaks over octaves (`understudy.acoustic.agitation.voice_quality`).
     """
 
     harmonicity_db: FloatArray
     cepstral_peak_db: FloatArray
     tilt_db: FloatArray
     peak_slope: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class Speaking:
+    """The `emphasized` words; `pauses_s`, pauses in seconds by the word that they follow (-1: before the first), which
+    replace those of punctuation; `rates`, speeds of words other than 1; `unread_tags`, names of tags that say nothing
+    here."""
+
+    emphasized: frozenset[int] = frozenset()
+    pauses_s: tuple[tuple[int, float], ...] = ()
+    rates: tuple[tuple[int, float], ...] = ()
+    unread_tags: tuple[str, ...] = ()
+
+    def pause_s(self, word: int, usual_s: float) -> float:
+        """The pause after a word, in seconds."""
+        return dict(self.pauses_s).get(word, usual_s)
+
+    def slowness(self, word: int) -> float:
+        """How much longer than usual a word lasts."""
+        return 1 / dict(self.rates).get(word, 1.0)
+
+
+PLAINLY_SPOKEN = Speaking()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SpeakerReference:
+    """A speaker's statistics over `recordings` recordings; `mean` and `deviation` have shape (features,)."""
+
+    feature_set: str
+    recordings: int
+    mean: FloatArray
+    deviation: FloatArray
+
+    @classmethod
+    def of(cls, feature_set: str, rows: Sequence[FloatArray] | FloatArray) -> "SpeakerReference":
+        """The statistics of `rows`, the features of at least one recording each."""
+        return cls(feature_set, len(rows), np.mean(rows, axis=0), np.std(rows, axis=0))

@@ -11,9 +11,9 @@ from pathlib import Path
 
 from lxml import etree
 
+from .file_text import number_of, xml_root
 from .mistakes import AnnotationError, AnnotationMistake
 from .tracks import LABELS, Span, Track, track_name, track_of
-from .xml_reading import number_of, xml_root
 
 _LABEL_NAMES = ("type", "lexeme", "token", "text", "tag", "name", "rest", "phase")
 """The attribute that is the label, where it is not called as `LABELS` says."""

@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 from lxml import etree
 
+from .file_text import number_of, xml_root
 from .mistakes import AnnotationError, AnnotationMistake
 from .tracks import Span, Track, track_of
-from .xml_reading import number_of, xml_root
 
 _UNITS = "milliseconds"
 _TYPE = "marked"

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from math import isfinite
 from pathlib import Path
 
-from .encoding import decoded
+from .file_text import decoded
 from .mistakes import AnnotationError, AnnotationMistake
 from .tracks import Span, Track, track_of
 

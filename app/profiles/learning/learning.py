@@ -3,26 +3,21 @@
 The paper has the counts: P(g∣s) over affiliates, bigrams of lexemes and of hands, P(hand∣g), a lexeme's strokes and
 distance to its word, the rate. Ours are the smoothing (`tables`), that a rare lexeme's means are drawn to the speaker's
 own, and that the distance which parts units is the speaker's, at which the paper hints.
+
+What a person should know of a profile that was learnt: that there was little to learn from, or that something said
+nothing.
 """
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from ...errors import InputError
-from ...model import Hand
+from ...model import Hand, Notice
 from ..annotation.model import Annotation
 from ..probabilities import shares_of
 from ..profile import FIRST, Profile, Smoothing
 from ..segments import spoken_s
-from .habits import (
-    database_of,
-    form_habits,
-    head_habit,
-    lexeme_habits,
-    phase_habit,
-    rest_habit,
-    unit_habit,
-)
+from .habits import database_of, form_habits, head_habit, lexeme_habits, phase_habit, rest_habit, unit_habit
 from .observations import all_of
 from .tables import rows_of, tag_table
 
@@ -76,3 +71,30 @@ def _check_enough(gestures: int) -> None:
     if gestures < FEWEST_GESTURES:
         message = f"{gestures} gestures are annotated; a profile is learnt from {FEWEST_GESTURES} or more"
         raise InputError("too_few_gestures", message, field="annotation")
+
+
+FEW_GESTURES = 100
+"""Of the examples' gestures, any 25 on end have lexemes of which a quarter would have to be moved to be those of all,
+50 an eighth, 100 one in twenty (`docs/measurements/profiles.md`). NGS had about 200 of each speaker, in nine
+minutes."""
+
+
+def doubts(profile: Profile, annotations: Sequence[Annotation], postures: Collection[str]) -> Iterator[Notice]:
+    """The doubts about a profile that was learnt from these annotations; bodies have the `postures`."""
+    for each in annotations:
+        if each.unread:
+            message = f"{each.path}: tracks that are not read: {', '.join(each.unread)}"
+            yield Notice("annotation_tracks_unread", message)
+    unknown = [each for each in profile.head.postures if each not in postures]
+    if unknown:
+        message = f"postures that no body takes: {', '.join(unknown)}; there are {', '.join(postures)}"
+        yield Notice("annotation_postures_unknown", message)
+    if profile.gestures < FEW_GESTURES:
+        message = (
+            f"{profile.gestures} gestures in {profile.annotated_s / 60:.1f} minutes of speech are few to know a speaker"
+            " by: what is rare is guessed from what is common; annotate about nine minutes"
+        )
+        yield Notice("annotation_short", message)
+    if profile.smoothing.held_out <= profile.smoothing.blind:
+        message = "what is said tells nothing of which gesture comes: those that were held out came with any tag alike"
+        yield Notice("profile_tags_tell_nothing", message)

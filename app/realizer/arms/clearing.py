@@ -13,8 +13,7 @@ from ..body.build import BUILD
 from ..body.contacts import LIMBS, PAIRS, Contacts, PosedBody, contacts, radii_m
 from ..body.skeleton import SIDES, Skeleton
 from ..geometry.rotations import angle_between, length
-from .displacements import Displacement, displaced
-from .stretches import stretches
+from .displacements import Displacement, displaced, stretches
 
 _CLEARANCE_M = 0.004
 _ROUNDS = 8

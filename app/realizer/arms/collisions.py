@@ -19,8 +19,7 @@ from ..body.limits import clamped
 from ..body.motion import BodyMotion, Decision
 from ..body.skeleton import SIDES, Skeleton
 from .clearing import Way, cleared
-from .displacements import taper
-from .stretches import around, frames_in, stretches
+from .displacements import around, frames_in, stretches, taper
 
 _SWELLS_S = (0.18, 0.27, 0.36)
 """Over how long a displacement is blended in; longer only where something stays inside."""

@@ -6,6 +6,11 @@ the hand a moment ago, so that a hand that is held is as its gesture has it. Bes
 all the time, each by itself.
 
 Conventions: `posing.arm_joints` has the rows of an arm; the left arm's axes, mirrored for the right arm.
+
+Arms that gather speed in the first moments and lose it in the last ones, so that no take begins or ends in mid-move.
+
+The time of the arms runs slower at the very ends and a third faster a little further in; in between it is the time of
+the performance, and the first and the last pose are those of the first and the last frame.
 """
 
 from collections.abc import Sequence
@@ -22,14 +27,18 @@ from ..geometry.smoothing import smoothed
 _COLLARBONE, _UPPER_ARM, _LOWER_ARM, _HAND, _FINGERS = 0, 1, 2, 3, slice(7, 19)
 _SMOOTH_S = 0.04
 _MOST_RAD = float(np.radians(32.0))
+
 _MIDDLE_JOINTS, _CLOSED = slice(8, 19, 3), 1.5
 """The intermediate joints of the fingers, and twice the sine of half their bend in a hand that is nearly a fist."""
 _SOFT_RAD, _MOST_CURL_RAD = float(np.radians(3.0)), float(np.radians(16.0))
+
 _ASIDE = 0.4
 """How much less a hand gives way to the side of thumb or little finger than towards palm and back."""
 _LIFE_HZ = 0.6
+
 _AT_EASE = 0.4
 """How much fingers are curled on the whole, as a share of how far they curl and stretch about that."""
+
 _JOINTS: FloatArray = np.array([1.0, 1.0, 0.7])
 """How much the three joints of a finger have of its curl."""
 
@@ -89,3 +98,19 @@ def _bent(bends: FloatArray) -> FloatArray:
     turned = np.zeros((*halves.shape, 4))
     turned[..., 2], turned[..., 3] = np.sin(halves), np.cos(halves)
     return turned
+
+
+def eased_at_the_ends(times_s: FloatArray, over_s: float) -> FloatArray:
+    """The times (T,) at which arms are posed in the frames at `times_s`: at rest at both ends, as they are `over_s`
+    further in."""
+    span_s = min(over_s, float(times_s[-1] - times_s[0]) / 2)
+    if span_s <= 0:
+        return times_s
+    since_s, left_s = times_s - times_s[0], times_s[-1] - times_s
+    return np.asarray(times_s - _behind_s(since_s, span_s) + _behind_s(left_s, span_s))
+
+
+def _behind_s(from_end_s: FloatArray, span_s: float) -> FloatArray:
+    """How far a clock that begins at rest is behind one that does not: s - s²(2 - s) of the span."""
+    share = np.clip(from_end_s / span_s, 0.0, 1.0)
+    return np.asarray(span_s * (share - share**2 * (2.0 - share)))

@@ -17,7 +17,7 @@ from ..body.motion import SHAPES, Motion
 from ..body.skeleton import Skeleton
 from ..face.face_tables import VISEMES
 from ..geometry.rotations import with_continuous_signs
-from .events import events_json
+from .animations import events_json
 from .gltf import Json
 from .retargeting import Rig
 

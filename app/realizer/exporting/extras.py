@@ -4,7 +4,7 @@ from importlib.util import find_spec
 
 from ...errors import ServiceError
 from ...model.formats.motion_formats import SCENES, MotionFormat
-from .fbx.conversion import blender_command
+from .fbx import blender_command
 
 
 def require_writer(form: MotionFormat, blender: str | None = None) -> None:

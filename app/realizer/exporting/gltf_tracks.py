@@ -13,7 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from ...model import FloatArray
 from ..geometry.rotations import normalized, slerp
-from .avatars.schema import Index
+from .gltf_schema import Index
 
 MOST_KEYS = 200_000
 _FLOAT, _BYTE, _UBYTE, _SHORT, _USHORT = 5126, 5120, 5121, 5122, 5123

@@ -17,7 +17,7 @@ from ..body.motion import SHAPES, Motion
 from ..body.skeleton import Skeleton
 from ..geometry.rotations import slerp, with_continuous_signs
 from ..mannequin.face import VISEME_MIXTURES
-from .events import events_json
+from .animations import events_json
 from .gltf import Accessors, Json, Tracks, joint_nodes, to_glb_bytes
 
 EXTENSION = "VRMC_vrm_animation"

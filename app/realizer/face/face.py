@@ -3,6 +3,12 @@
 In order: lip sync; expressions of brows, cheeks, nose and mouth; micro-movement; eye looks and eyelids. Speech has
 priority at the mouth: expressions keep the share of the mouth's corners that the visemes leave (a smile continues,
 smaller, through an "oo"), but move lips and jaw only in silence, so that no smile opens an M.
+
+Eye look shapes from the rotation of the eye joints, and eyelids that follow them.
+
+Conventions: an eye looks along its joint's +Z; up and to the character's left (+X) are positive. ARKit's look shapes
+move the lids along with the gaze; the eyeballs rotate with the eye joints. Faces without eye joints rotate them by the
+look shapes.
 """
 
 from collections.abc import Mapping
@@ -15,10 +21,10 @@ from ...model import FloatArray, Schedule
 from ..body.motion import SHAPES, BodyMotion
 from ..body.skeleton import Skeleton
 from ..geometry.noise import perlin
+from ..geometry.rotations import rotate
 from .diphthongs import with_glides
 from .expressions import expressions
-from .face_tables import COLUMNS, FaceTables
-from .lids import eye_look_weights, with_lids
+from .face_tables import COLUMNS, INDEX, EyeTable, FaceTables
 from .lips import LipSync, lip_sync
 
 CORNERS = ("mouthSmile", "mouthFrown", "mouthDimple", "mouthStretch", "mouthPress", "mouthLeft", "mouthRight")
@@ -31,6 +37,7 @@ LIPS = tuple(name for name in SHAPES if name.startswith(("jaw", "mouth", "tongue
 ASYMMETRY = 0.08
 """Up to this share of an expression is missing on one side of the face, varying over time: held faces are never quite
 still or symmetric."""
+
 WEAKER_SIDE = 0.05
 """As much is always missing on the right side: most people's left shows more (Sackeim, Gur & Saucy 1978)."""
 
@@ -120,3 +127,37 @@ def _together(a: FloatArray, b: FloatArray) -> FloatArray:
     left = 1 - a
     left *= 1 - b
     return np.subtract(1, left, out=left)
+
+
+SIDES = ("Left", "Right")
+
+_OF_LIDS = ("eyeBlink{}", "eyeWide{}", "eyeSquint{}", "eyeLookDown{}")
+_AHEAD: FloatArray = np.array([0.0, 0.0, 1.0])
+_AHEAD.setflags(write=False)
+
+
+def eye_look_weights(table: EyeTable, body: BodyMotion, skeleton: Skeleton) -> FloatArray:
+    """The weights (T, 52) of the eight eye look shapes."""
+    shapes = np.zeros((len(body.times_s), len(SHAPES)))
+    gaze = rotate(body.rotations.take(skeleton.chain("leftEye", "rightEye"), axis=1), _AHEAD)
+    out_deg = np.degrees(np.arctan2(gaze[..., 0], gaze[..., 2])) * [1.0, -1.0]
+    up_deg = np.degrees(np.arcsin(np.clip(gaze[..., 1], -1.0, 1.0)))
+    turns = {"Out": out_deg / table.out_deg, "In": -out_deg / table.in_deg}
+    turns |= {"Up": up_deg / table.up_deg, "Down": -up_deg / table.down_deg}
+    for way, share in turns.items():
+        shapes[:, [INDEX[f"eyeLook{way}{side}"] for side in SIDES]] = np.clip(share, 0.0, 1.0)
+    return shapes
+
+
+def with_lids(table: EyeTable, shapes: FloatArray) -> FloatArray:
+    """The weights with lids that follow the looks. A closing lid loses its wide and squint weights, and its look down,
+    which would push it beyond closed."""
+    shapes = shapes.copy()
+    for side in SIDES:
+        blink, wide, squint, look_down = (shapes[:, INDEX[name.format(side)]] for name in _OF_LIDS)
+        look_down *= 1 - blink
+        blink += (1 - blink) * table.lids_down * look_down
+        wide += (1 - wide) * table.lids_up * shapes[:, INDEX["eyeLookUp" + side]]
+        wide *= (1 - blink) * (1 - 0.5 * squint)
+        squint *= 1 - 0.5 * blink
+    return shapes

@@ -3,13 +3,18 @@
 The paper does not time-warp strokes and drops a gesture that has no time (§3.8). People whose ideas crowd make less of
 each: here a brief stroke begins nearer to where it ends and is as fast as ever, so that hands have no more to do than
 in a whole one. How much is left is in `understudy.model.limits.gesture_limits`, by which schedules are made.
+
+A gesture's clip in the manner of the voice: faster or slower, and more or less tense.
+
+Speed shortens or lengthens the stroke and what goes before and after it alike; tension makes the stroke stop sharply
+(power) and its path through the keys less smooth (Gesture Engine §5.2). How big it is made is the request's size.
 """
 
 from dataclasses import replace
 
-from ...model import Hand
+from ...model import Hand, Manner
 from ...model.limits.gesture_limits import brief_share
-from .gesture import ArmKey, Clip, ClipKey, Markers, Place
+from .gesture import ArmKey, Clip, ClipKey, Expressivity, Markers, Place
 from .gesture_space import sector_m
 
 
@@ -56,3 +61,26 @@ def _nearer(arm: ArmKey | None, end: Place | None, share: float) -> ArmKey | Non
         return arm
     x_m, y_m, z_m = end.offset_m + share * (sector_m(arm.place) - sector_m(end))
     return replace(arm, place=replace(end, offset_m=(float(x_m), float(y_m), float(z_m))))
+
+
+def mannered(clip: Clip, manner: Manner) -> Clip:
+    """The clip in a manner, its amplitude apart."""
+    if manner.speed == 1 and manner.tension == 1:
+        return clip
+    pace = 1 / manner.speed
+    return replace(
+        clip,
+        markers=Markers(*(pace * getattr(clip.markers, name) for name in Markers.__slots__)),
+        keys=tuple(replace(key, time_s=pace * key.time_s) for key in clip.keys),
+        expressivity=_tensed(clip.expressivity, manner.tension - 1),
+        stroke_speed_m_s=clip.stroke_speed_m_s * manner.speed,
+    )
+
+
+def _tensed(expressivity: Expressivity, more: float) -> Expressivity:
+    """With more power and less fluidity, both within their bounds."""
+    return replace(
+        expressivity,
+        power=min(max(expressivity.power + 0.5 * more, 0.0), 1.0),
+        fluidity=min(max(expressivity.fluidity - 0.3 * more, 0.0), 1.0),
+    )

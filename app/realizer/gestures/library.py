@@ -1,11 +1,13 @@
 """The gesture library: all definitions in a folder, available as clips by category, level of agitation and hand.
 
-The folder holds `*.gesture` files, also in subfolders, and optionally `aliases.yaml` (`aliases.py`).
+The folder holds `*.gesture` files, also in subfolders, and optionally `aliases.yaml`.
+
+`aliases.yaml` has lexemes of other BML dialects, by the category of ours that shows them.
 """
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
@@ -15,7 +17,7 @@ from ...errors import AuthoringError, InputError, Mistake
 from ...model import Hand, Level
 from ...model.figure import Manner
 from ...suggestions import did_you_mean
-from .aliases import ALIASES, read_aliases
+from ...yaml_files import Entry, Source
 from .checking import duplicate_names
 from .clips import clip
 from .definitions import definition
@@ -23,6 +25,7 @@ from .gesture import Clip, Definition
 from .statements import GestureFile, LocatedMistake, mistake_in
 
 SUFFIX = ".gesture"
+
 LAST_RESORT = "BEAT"
 """Gesture Engine §5: requests that no prototype matches are shown by a generic beat."""
 
@@ -140,3 +143,42 @@ def _definitions(parsed: Sequence[tuple[GestureFile, Sequence[Mistake]]]) -> tup
         order = {file.path: number for number, file in enumerate(files)}
         raise AuthoringError(tuple(sorted(mistakes, key=lambda one: (order[one.path], one.line, one.column))))
     return tuple(definitions)
+
+
+ALIASES = "aliases.yaml"
+
+_LEXEME = re.compile(r"[A-Z][A-Z0-9]*(_[A-Z0-9]+)*")
+
+
+class Aliases(Entry):
+    """The file format: for each category, its aliases."""
+
+    aliases: Mapping[str, tuple[str, ...]]
+
+
+def read_aliases(path: Path, categories: Collection[str]) -> Mapping[str, str]:
+    """Our category by foreign lexeme. Raises AuthoringError with all mistakes, such as categories without gestures."""
+    source = Source(path)
+    listed = source.validated(Aliases).aliases
+    mistakes = [source.mistake(where, told) for where, told in _mistakes(listed, categories)]
+    if mistakes:
+        raise AuthoringError(tuple(mistakes))
+    return {lexeme: category for category, lexemes in listed.items() for lexeme in lexemes}
+
+
+def _mistakes(
+    listed: Mapping[str, tuple[str, ...]], categories: Collection[str]
+) -> Iterator[tuple[tuple[str | int, ...], str]]:
+    seen: dict[str, str] = {}
+    for category, lexemes in listed.items():
+        if category not in categories:
+            yield ("aliases", category), f"no gesture shows {category}{did_you_mean(category, categories)}"
+        for position, lexeme in enumerate(lexemes):
+            where = ("aliases", category, position)
+            if not _LEXEME.fullmatch(lexeme):
+                yield where, f"{lexeme!r}: lexemes are written in capitals, words joined by one underscore"
+            elif lexeme in categories:
+                yield where, f"{lexeme} has gestures of its own"
+            elif lexeme in seen:
+                yield where, f"{lexeme} is listed under {seen[lexeme]} already"
+            seen.setdefault(lexeme, category)

@@ -21,7 +21,7 @@ from ...model import FloatArray, Interval, Schedule, Word
 from ..geometry.easing import superposed_movements
 from ..geometry.noise import Noise, perlins
 from ..geometry.smoothing import smoothed
-from ..torso.idle_activity import idle_activity
+from ..torso.stance import idle_activity
 
 TRUNK_DEGREES = (1.5, 2.4, 1.6)
 """Standard deviations of the trunk's pitch, yaw and roll over the hips, spread over its joints."""

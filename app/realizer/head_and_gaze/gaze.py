@@ -5,6 +5,11 @@ the body still leans and breathes. While head and body move, the eyes stay on th
 far as they can rotate. A line that opens with a turn to whom it is said begins with the eyes beside him.
 
 Conventions: radians, metres and seconds; pitch and yaw in the world, as seen from the eyes' position in the T-pose.
+
+Small eye movements during fixation: drift, and saccades between the parts of a target.
+
+A person looking at a face looks at one eye, the other eye and the mouth for about a second each. Conventions: radians,
+pitch and yaw relative to the target's centre; seconds.
 """
 
 from collections.abc import Mapping
@@ -19,8 +24,8 @@ from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton
 from ..geometry.angles import from_pitch_yaw
 from ..geometry.easing import superposed_movements
+from ..geometry.noise import perlin
 from ..geometry.rotations import from_axis_angle, from_rotation_vector, inverse, multiply, to_rotation_vector
-from .fixation import fixation_offsets, saccade_s
 from .gaze_geometry import EYES, TRUNK, Chest, chest, face, looking, point_in_direction
 from .gaze_targets import GazeTargets, Position, gaze_targets
 
@@ -34,6 +39,7 @@ OPENING_DEGREES = (9.0, 16.0)
 HEAD_LAG_S = 0.06
 """The head is heavier and starts later than the eyes; the trunk starts later than the head."""
 TRUNK_LAG_S = 0.12
+
 HEAD_S, HEAD_S_PER_RADIAN = 0.22, 0.011 * 180 / np.pi
 """The minimum duration of a head movement, kept even if the schedule has less: 20° peak at about 85°/s."""
 TRUNK_SLOWNESS = 1.8
@@ -102,3 +108,33 @@ def eyes_in_t_pose_m(skeleton: Skeleton) -> FloatArray:
     """The point between the eyes (3,). Cached; never mutated."""
     down = skeleton.chain("hips", "spine", "chest", "upperChest", "neck", "head")
     return np.asarray(skeleton.offsets_m[down].sum(axis=0) + skeleton.offsets_m[skeleton.chain(*EYES)].mean(axis=0))
+
+
+SACCADE_S, SACCADE_S_PER_RADIAN = 0.021, 0.0022 * 180 / np.pi
+"""The main sequence of saccades: 2.2 ms per degree plus 21 ms (Carpenter 1988)."""
+
+PARTS = np.radians([[0.0, 1.2], [0.0, -1.2], [1.3, 0.2]])
+"""For a face at 1.2 m with eyes 6 cm apart; at most 2° from its centre in all."""
+
+SHORTEST_S, MEAN_S = 0.3, 1.1
+"""Fixation durations: the first is a minimum, the rest is drawn from an exponential distribution."""
+
+DRIFT_DEGREES, DRIFT_HZ = 0.3, 1.7
+
+
+def saccade_s(angle: FloatArray) -> FloatArray:
+    """The durations of saccades of these angles."""
+    return np.asarray(SACCADE_S + SACCADE_S_PER_RADIAN * angle)
+
+
+def fixation_offsets(times_s: FloatArray, *, seed: int) -> FloatArray:
+    """Pitch and yaw (T, 2) relative to the target's centre; deterministic for a seed."""
+    when, where = (np.random.default_rng(each) for each in np.random.SeedSequence(seed).spawn(2))
+    count = int((times_s[-1] - times_s[0]) / SHORTEST_S) + 2
+    starts_s = times_s[0] + np.cumsum(SHORTEST_S + when.exponential(MEAN_S - SHORTEST_S, count))
+    steps = where.integers(1, len(PARTS), count + 1)
+    parts = PARTS[np.cumsum(steps) % len(PARTS)]
+    by = np.diff(parts, axis=0)
+    drift = perlin(times_s, frequency_hz=DRIFT_HZ, seed=seed + 5, channels=2, in_step=False)
+    jumps = superposed_movements(times_s, starts_s, saccade_s(np.linalg.norm(by, axis=-1)), by)
+    return np.asarray(parts[0] + jumps + np.radians(DRIFT_DEGREES) * drift)

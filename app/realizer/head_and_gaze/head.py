@@ -7,6 +7,10 @@ and however much of it at once, the head turns no faster than `FASTEST_RAD_S` ag
 than `FASTEST_EYE_RAD_S`: it comes later, so nothing ever jumps.
 
 Conventions: radians; positive pitch is down, yaw left, roll to the right shoulder; seconds.
+
+Keeps rotations within a greatest speed.
+
+Conventions: rotations are quaternions (T, 4), a frame each; radians and seconds.
 """
 
 from collections.abc import Sequence
@@ -19,8 +23,7 @@ from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton
 from ..geometry.angles import from_pitch_yaw_roll
 from ..geometry.easing import plateau
-from ..geometry.rotations import from_axis_angle, inverse, multiply
-from ..geometry.speeds import within_speed
+from ..geometry.rotations import angle_between, from_axis_angle, inverse, multiply, nearest_sign, slerp
 from .attitudes import HeadAttitude, head_attitude
 from .gaze_geometry import EYES, TRUNK, chest, eye_rotations, face, fixation_point_m
 from .head_movements import MOVEMENTS, course_of, limited_speed, movement_angles
@@ -102,3 +105,25 @@ def _calm(times_s: FloatArray, movements: Sequence[Behavior]) -> FloatArray:
         around = plateau(times_s[during], sync.start, sync.start + edge_s, sync.end - edge_s, sync.end)
         busy[during] = np.maximum(busy[during], around)
     return np.asarray(1.0 - _CALMED * busy)
+
+
+def within_speed(rotations: FloatArray, frame_s: float, fastest_rad_s: float) -> FloatArray:
+    """The same rotations where none is farther from the one before than the speed allows; where one is, those that
+    follow go after it at that speed until they have caught up."""
+    most = fastest_rad_s * frame_s
+    cosines = np.abs(np.einsum("tk,tk->t", rotations[1:], rotations[:-1]))
+    too_far = np.flatnonzero(cosines < np.cos(most / 2)) + 1
+    if not len(too_far):
+        return rotations
+    kept = rotations.copy()
+    frame = int(too_far[0])
+    while frame < len(kept):
+        away = float(angle_between(kept[frame], kept[frame - 1]))
+        if away > most:
+            reached = slerp(kept[frame - 1], kept[frame], np.array(most / away))
+            kept[frame] = nearest_sign(reached, rotations[frame])
+            frame += 1
+        else:
+            later = too_far[too_far > frame]
+            frame = int(later[0]) if len(later) else len(kept)
+    return kept

@@ -6,10 +6,18 @@ given is the torque that accelerates the limb: that is where momentum shows. Arm
 asked a little early, so that they are there in time, as in NGS §3.4; moves are not shortened as well, since our arms
 overshoot and do not fall short. Conventions: MuJoCo's positions, with quaternions w x y z, and velocities, those of
 balls in the space of what they turn.
+
+The torques of a body that stands still: what every joint bears so that a pose stays as it is.
+
+The floor carries the weight in two points, one under each foot, such that their common centre is below the centre of
+mass: then nothing is left over that would move the hips. What the joints bear is the weight of what is above them, less
+what the floor pushes.
 """
 
 from dataclasses import dataclass
+from math import isclose
 
+import mujoco
 import numpy as np
 
 from ...model import FloatArray
@@ -18,17 +26,16 @@ from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton, forward
 from ..geometry.rotations import from_axis_angle, inverse, multiply, normalized, to_rotation_vector
 from ..geometry.rotations import with_continuous_signs as continuous
-from .physical_body import STEP_S, PhysicalBody, is_hinge
-from .standing import standing_torques
+from .physical_body import FEET, STEP_S, PhysicalBody, is_hinge
 
 _TO_WXYZ, _TO_XYZW = [3, 0, 1, 2], [1, 2, 3, 0]
 _ARM = ("Shoulder", "UpperArm", "LowerArm", "Hand")
+
 _EARLY_S = 0.033
 """The lag of the wrists without it (`benchmarks.realizer.physics`)."""
 
 HIPS_VALUES = 7
 """Of the free hips in MuJoCo's positions: where they are, and how they are turned."""
-
 
 Balance = tuple[tuple[float, float], tuple[float, float]]
 """Where the centre of mass should be, and its velocity, both along x and z."""
@@ -132,3 +139,29 @@ def _balls(physical: PhysicalBody) -> list[tuple[int, int]]:
     balls = [(start, speed) for joint, start, speed in places if not is_hinge(joint)]
     (hips, hips_speed), *others = balls
     return [(hips + 3, hips_speed + 3), *others]
+
+
+def standing_torques(physical: PhysicalBody, positions: FloatArray) -> FloatArray:
+    """The torques (T, nv) that hold each pose, given as MuJoCo's positions (T, nq)."""
+    model, state = physical.model, mujoco.MjData(physical.model)
+    feet, pushed = [model.body(name).id for name in FEET], np.zeros((3, model.nv))
+    found = np.zeros((len(positions), model.nv))
+    for frame, posed in enumerate(positions):
+        state.qpos[:] = posed
+        mujoco.mj_kinematics(model, state)
+        mujoco.mj_comPos(model, state)
+        mujoco.mj_rne(model, state, 0, found[frame])
+        for foot, point_m, share in _supports(state, feet):
+            mujoco.mj_jac(model, state, pushed, None, point_m, foot)
+            found[frame] -= share * physical.weight_n * pushed[1]
+    return found
+
+
+def _supports(state: mujoco.MjData, feet: list[int]) -> list[tuple[int, FloatArray, float]]:
+    """The feet, the points where the floor pushes them, and their shares of the weight."""
+    (left, right), centre_m = feet, state.subtree_com[0]
+    left_m, right_m = state.xpos[left], state.xpos[right]
+    apart_m = left_m[0] - right_m[0]
+    on_left = 0.5 if isclose(apart_m, 0.0) else min(1.0, max(0.0, (centre_m[0] - right_m[0]) / apart_m))
+    aside_m = centre_m - on_left * left_m - (1 - on_left) * right_m
+    return [(left, left_m + aside_m, on_left), (right, right_m + aside_m, 1 - on_left)]

@@ -5,6 +5,8 @@ mass is a ball, except the knees, which are hinges about x as in `torso.balance`
 whose rest is the pose asked for, and a damper: the antagonistic pair of NGS §3.4, whose two springs make one whose
 equilibrium moves. It is described by the natural frequency and damping ratio that it has with everything beyond the
 joint held still; those of the legs by what they carry.
+
+How hard a part of the body is to turn: the inertia of everything beyond a joint.
 """
 
 from collections.abc import Mapping
@@ -17,18 +19,20 @@ from xml.etree.ElementTree import Element, SubElement, tostring
 
 import numpy as np
 
+from ...model import FloatArray
 from ..body.masses import Part, parts_of
 from ..body.skeleton import Skeleton
-from .inertia import inertia_beyond_kg_m2
 
 if TYPE_CHECKING:
     import mujoco
+
 
 STEP_S = 1 / 480
 """Of the simulation; a whole number of them makes a frame at 30 and at 60 a second."""
 
 FEET = ("leftFoot", "rightFoot")
 GRAVITY_M_S2 = 9.81
+
 _FRICTION = "1 0.005 0.0001"
 """Of rubber soles: sliding, and MuJoCo's own for turning and rolling."""
 
@@ -42,6 +46,7 @@ class Servo:
 
 
 _TRUNK, _NECK = Servo(2.0, 0.8), Servo(4.0, 0.8)
+
 SERVOS: Mapping[str, Servo] = MappingProxyType(
     {
         "spine": _TRUNK,
@@ -155,3 +160,32 @@ def servo_of(skeleton: Skeleton, joint: str) -> tuple[float, float]:
 
 def _text(*numbers: float) -> str:
     return " ".join(f"{number:.9g}" for number in np.array(numbers).tolist())
+
+
+@lru_cache(maxsize=1024)
+def inertia_beyond_kg_m2(skeleton: Skeleton, joint: str) -> float:
+    """The inertia about a joint of everything that it carries, in the T-pose: about an axis across the way to
+    each part."""
+    places_m = _places_m(skeleton)
+    about_m = places_m[skeleton.index[joint]]
+    found = 0.0
+    for part in parts_of(skeleton):
+        at = skeleton.index[part.joint]
+        if _carries(skeleton, skeleton.index[joint], at):
+            away_m = places_m[at] + np.array(part.centre_m) - about_m
+            found += float(np.mean(part.inertia_kg_m2)) + part.mass_kg * float(away_m @ away_m)
+    return found
+
+
+@lru_cache(maxsize=64)
+def _places_m(skeleton: Skeleton) -> list[FloatArray]:
+    places_m: list[FloatArray] = []
+    for parent, offset_m in zip(skeleton.parents, skeleton.offsets_m, strict=True):
+        places_m.append(offset_m + (places_m[parent] if parent >= 0 else 0.0))
+    return places_m
+
+
+def _carries(skeleton: Skeleton, joint: int, other: int) -> bool:
+    while other > joint:
+        other = skeleton.parents[other]
+    return other == joint

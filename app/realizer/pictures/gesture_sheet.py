@@ -3,6 +3,8 @@ and bias of the curve at each key.
 
 The speeds are those of the gesture made alone, from rest to rest, as the realizer makes it, without noise. Seconds
 count from the start of the clip. Needs matplotlib, the extra `understudy[plot]`; the command line checks for it.
+
+A clip's key poses on a standing body, for contact sheets and checks; undefined parts are interpolated.
 """
 
 from __future__ import annotations
@@ -16,12 +18,14 @@ import numpy as np
 
 from ...model import Behavior, Channel, FloatArray, Hand, Level, Schedule, SyncPoints
 from ..arms.arm_keys import arm_track
-from ..arms.arms import TimedPose
-from ..arms.key_poses import key_poses
+from ..arms.arms import ArmTrack, TimedPose, arm_motion
+from ..arms.posing import PartialPose, pose_arm
+from ..arms.rest_poses import rest_pose
 from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton, forward
 from ..geometry.rotations import IDENTITY
-from ..gestures.gesture import Clip, ClipKey, KeyCurve
+from ..gestures.arm_joints import arm_joints
+from ..gestures.gesture import ArmKey, Clip, ClipKey, KeyCurve
 from ..gestures.gesture_plan import ArmGesture, GesturePlan
 from ..scheduling.gesture_controller import apply_gestures
 from ..scheduling.planning import plan_gestures
@@ -31,6 +35,7 @@ from .speed_plot import LINE, PHASES
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+
 
 BEFORE_S, AFTER_S = 1.5, 2.0
 """How long the hands rest before the clip and have to come back after it."""
@@ -125,3 +130,42 @@ def _written(key: ClipKey) -> str:
     """What the frame itself says of the curve."""
     said = ((name, getattr(key.curve, name)) for name in KeyCurve.__slots__)
     return "".join(f"  {name[0].upper()} {value:g}" for name, value in said if value is not None)
+
+
+REST = "at_side"
+
+PREPARATION_S = 0.5
+"""How long before the clip the hands are at rest."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class KeyPose:
+    """A key that defines some part of an arm, and the local rotations (J, 4) of the whole body at its time."""
+
+    key: ClipKey
+    rotations: FloatArray
+
+
+def key_poses(skeleton: Skeleton, clip: Clip) -> tuple[KeyPose, ...]:
+    """The poses of the keys that define some part of an arm; keys without content, as at a gesture's end, are left out.
+    An arm that takes no part hangs at the side."""
+    keys = [key for key in clip.keys if {key.left, key.right} - {None, ArmKey()}]
+    rotations = np.tile(IDENTITY, (len(keys), len(skeleton.names), 1))
+    for side in (Hand.LEFT, Hand.RIGHT):
+        rotations[:, skeleton.chain(*arm_joints(side))] = _arm(skeleton, clip, keys, side)
+    return tuple(KeyPose(key, pose) for key, pose in zip(keys, rotations, strict=True))
+
+
+def _arm(skeleton: Skeleton, clip: Clip, keys: list[ClipKey], side: Hand) -> FloatArray:
+    """The arm's rotations (K, 19, 4) at the keys."""
+    rest = rest_pose(skeleton, side, REST).as_partial()
+    track = [TimedPose(keys[0].time_s - PREPARATION_S, rest)]
+    for key in keys:
+        said = key.left if side is Hand.LEFT else key.right
+        pose = rest if said is None else _posed(skeleton, side, said, clip)
+        track.append(TimedPose(key.time_s, pose, follow_through=False))
+    return arm_motion(ArmTrack(side, tuple(track)), np.array([key.time_s for key in keys]), seed=0)
+
+
+def _posed(skeleton: Skeleton, side: Hand, said: ArmKey, clip: Clip) -> PartialPose:
+    return pose_arm(skeleton, side, said, amplitude=clip.expressivity.amplitude, manner=clip.manner)

@@ -19,10 +19,9 @@ import numpy as np
 from ...model import Behavior, Channel, Hand, Level, Schedule, SyncPoints
 from ...model.limits.gesture_limits import LATEST_S, is_brief, size_of
 from ..body.motion import Decision
-from ..gestures.brief_strokes import brief
+from ..gestures.brief_strokes import brief, mannered
 from ..gestures.gesture import Clip
 from ..gestures.gesture_plan import USUAL_MANNER, AskedTimes, GestureRequest, PlacedGesture
-from ..gestures.mannered import mannered
 
 _ROUNDING_S = 0.002
 """A stroke that is before the first frame by no more is not late: times of schedules are whole milliseconds."""

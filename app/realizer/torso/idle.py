@@ -3,31 +3,41 @@
 All other controllers build on this motion. Conventions: degrees in the tables, radians and metres elsewhere; the arms
 hang at the sides until gestures override them; neck and head are straight until the gaze turns them. The amplitudes are
 ours: enough to look alive, too little to attract attention.
+
+Breathing: the lungs fill in speech pauses and empty slowly during phrases.
+
+Conventions: seconds; lung volume is 0 after quiet expiration and 1 after deep inspiration. At rest people breathe about
+15 times a minute, inhaling for two fifths of the cycle. Speakers inhale quickly and more deeply in pauses and before
+the first word, and exhale over whole phrases.
+
+How people of different temper carry themselves: who is agitated leans forward with the chest lifted, who is lax leans
+back a little and lets the upper back round.
+
+Conventions: degrees in the tables, radians elsewhere; positive pitch is forward. The angles are ours.
 """
 
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cache
+from itertools import pairwise
 from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 
-from ...model import FloatArray, Hand, Schedule
+from ...model import FloatArray, Hand, Interval, Level, Schedule
 from ..arms.rest_poses import rest_pose
 from ..body.motion import BodyMotion
 from ..body.movement_style import PLAIN, IdleLife
 from ..body.skeleton import SIDES, Skeleton
 from ..geometry.angles import from_pitch_yaw_roll
+from ..geometry.easing import minimum_jerk_through
 from ..geometry.noise import Noise, perlins
 from ..geometry.rotations import IDENTITY, multiply
 from ..gestures.arm_joints import arm_joints
 from .balance import hips_height_m, set_legs
-from .bearing import bow, lean
-from .breathing import QUIET_CYCLE_S, lung_volume
-from .idle_activity import IDLE_ACTIVITY, idle_activity
 from .posture import TrunkPosture, trunk_postures
-from .stance import beside, stances
+from .stance import IDLE_ACTIVITY, beside, idle_activity, stances
 
 Degrees = tuple[float, float, float]
 """Pitch, yaw and roll of the left side; yaw and roll change sign on the right."""
@@ -38,11 +48,40 @@ UNEVEN_WEIGHT = 0.4
 _HIPS_OVER_LEG_M = 0.05
 """The lateral shift of the hips when one leg bears all the weight, and how much higher its hip is."""
 _PELVIS_DEGREES = 4.0
+
+
+def lean(level: Level) -> float:
+    """The lean of the trunk in radians, for which the hips go the other way."""
+    return float(np.radians(BEARINGS[level].lean_deg))
+
+
+@cache
+def bow(level: Level) -> FloatArray:
+    """The pitch of the joints from the hips up (4,), beside the lean. Never mutated."""
+    return np.asarray(np.radians(BEARINGS[level].bow_deg) * np.array(list(_BOW.values())))
+
+
+@dataclass(frozen=True, slots=True)
+class Bearing:
+    """The lean of the whole trunk from the hips, and the bow of the back above them."""
+
+    lean_deg: float
+    bow_deg: float
+
+
+_BOW: Mapping[str, float] = MappingProxyType({"hips": 0.0, "spine": 0.25, "chest": 0.40, "upperChest": 0.35})
+"""The joints' shares of a bow."""
+
+BEARINGS: Mapping[Level, Bearing] = MappingProxyType(
+    {Level.LOW: Bearing(-1.5, 5.0), Level.MEDIUM: Bearing(0.0, 0.0), Level.HIGH: Bearing(3.0, -3.0)}
+)
+
 _HIPS_BACK_M = 0.22
 """How far the hips move back per radian of forward lean, to keep the balance."""
 
 _LEAN: Mapping[str, float] = MappingProxyType({"hips": 0.4, "spine": 0.3, "chest": 0.3})
 """The joints' shares of a lean."""
+
 _UPRIGHT: Mapping[str, float] = MappingProxyType({"hips": 1.0, "spine": -0.7, "chest": -0.5})
 """The joints' compensation of a tilted pelvis, which keeps the trunk upright."""
 
@@ -56,6 +95,7 @@ _RIBS: Mapping[str, float] = MappingProxyType({"spine": 0.45, "chest": 0.35, "up
 """The joints' shares of what the ribs do against the pelvis."""
 
 _STIRRING_HZ = 0.6
+
 _STIRRING_DEGREES = 1.2
 """Noise of trunk and arms; the typical deviation is a quarter of the amplitude."""
 
@@ -63,12 +103,15 @@ _LOWERED = 0.6
 """How far the bobbing hips are lowered on average, as a share of the bob: they never rise beyond the legs' reach."""
 
 _TRUNK = ("hips", "spine", "chest", "upperChest")
+
 _SWAYS = 14
 """Three angles of each joint of the trunk, and the hips aside and forward."""
+
 _STIRRED: Mapping[str, Degrees] = MappingProxyType(
     {"Shoulder": (0.0, 1.0, -1.0), "UpperArm": (1.0, 1.0, -1.0), "LowerArm": (2.0, 0.0, 0.0)}
 )
 """Noise of the arm joints, about the axes in which they can rotate: the forearm twists."""
+
 _ON_THE_RIGHT: FloatArray = np.array([1.0, -1.0, -1.0])
 """The signs of pitch, yaw and roll there."""
 
@@ -182,3 +225,57 @@ def _stirs() -> FloatArray:
     """Pitch, yaw and roll (3, 2, stirred) of either side's arm joints. Never mutated."""
     left = np.array(list(_STIRRED.values())).T
     return np.stack((left, left * _ON_THE_RIGHT[:, None]), axis=1)
+
+
+QUIET_CYCLE_S = 4.0
+INHALING_SHARE = 0.4
+QUIET_DEPTH = 0.6
+QUICK_BREATH_S = (0.35, 0.8)
+SHORTEST_PAUSE_S = 0.25
+
+SHORTEST_BETWEEN_S = 1.5
+"""A pause sooner than this after the last breath gets no breath of its own."""
+
+
+def lung_volume(
+    times_s: FloatArray,
+    phrases: Sequence[Interval],
+    generator: np.random.Generator,
+    *,
+    cycle_s: float = QUIET_CYCLE_S,
+) -> FloatArray:
+    """The lung volume (T,), with breaths in the pauses between `phrases` (in order), and quiet breathing with a period
+    of about `cycle_s` where nobody speaks."""
+    during = Interval(float(times_s[0]), float(times_s[-1]))
+    at_s, volumes = np.array(list(_knots(during, phrases, generator, cycle_s))).T
+    return minimum_jerk_through(times_s, at_s, volumes)
+
+
+def _knots(
+    during: Interval, phrases: Sequence[Interval], generator: np.random.Generator, usual_s: float
+) -> Iterator[tuple[float, float]]:
+    """The times of empty and full lungs with their volumes, from before the first time to after the last."""
+    pauses = list(_pauses(phrases))
+    now_s = during.start_s - usual_s * float(generator.uniform(1.0, 2.0))
+    while now_s <= during.end_s:
+        cycle_s, depth = usual_s * float(generator.uniform(0.85, 1.15)), QUIET_DEPTH
+        inhaled_s = now_s + INHALING_SHARE * cycle_s
+        for pause in pauses:
+            if pause.start_s <= now_s < pause.end_s:
+                inhaled_s, depth = now_s + float(np.clip(pause.end_s - now_s, *QUICK_BREATH_S)), 1.0
+        yield now_s, 0.0
+        yield inhaled_s, depth * float(generator.uniform(0.85, 1.0))
+        due_s = now_s + cycle_s
+        due_s = next((phrase.end_s for phrase in phrases if phrase.start_s <= due_s < phrase.end_s), due_s)
+        soon_s = inhaled_s + SHORTEST_BETWEEN_S
+        now_s = min([max(due_s, soon_s), *(pause.start_s for pause in pauses if pause.start_s >= soon_s)])
+    yield now_s, 0.0
+
+
+def _pauses(phrases: Sequence[Interval]) -> Iterator[Interval]:
+    """The intervals in which to inhale: before the first phrase and between phrases."""
+    if phrases:
+        yield Interval(phrases[0].start_s - QUICK_BREATH_S[1], phrases[0].start_s)
+    for phrase, following in pairwise(phrases):
+        if following.start_s - phrase.end_s >= SHORTEST_PAUSE_S:
+            yield Interval(phrase.end_s, following.start_s)

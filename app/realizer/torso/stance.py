@@ -1,5 +1,5 @@
-"""How the body stands from phrase to phrase: the weight goes to the other leg just before the voice begins, and
-the ribs bend and turn against the pelvis.
+"""How the body stands from phrase to phrase: the weight goes to the other leg just before the voice begins, and the
+ribs bend and turn against the pelvis.
 
 Speakers shift their posture where a new unit of talk begins (Cassell et al. 2001; Kendon 1972), the weight first, since
 the large masses set out before the limbs. In a long phrase the stance changes now and then as well. A weight that the
@@ -7,23 +7,27 @@ schedule asks for is kept.
 
 Conventions: seconds, radians; the weight is 1 on the left leg, -1 on the right; pitch, yaw and roll as in
 `understudy.realizer.geometry.angles`.
+
+How the amount of idle movement depends on the speaker's agitation and the schedule's stillness; the factors are ours.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 
-from ...model import FloatArray, Interval, Schedule
+from ...model import FloatArray, Interval, Level, Schedule
 from ..body.movement_style import IdleLife
 from ..geometry.easing import superposed_movements
-from .idle_activity import idle_activity
 
 BEFORE_S = 0.35
 """How much earlier than the voice the weight sets out."""
 MOVING_S = (0.6, 0.95)
+
 LASTS_S = (2.0, 3.4)
 """How long a stance lasts within a phrase."""
+
 SHORTEST_S = 1.1
 """A phrase that begins sooner after the last change keeps the stance, and none changes so shortly before its end."""
 
@@ -32,6 +36,7 @@ MOST_WEIGHT = 1.1
 
 SMALLEST = 0.55
 """Each stance has at least this share of the whole amounts, and they change sides."""
+
 _BOW = 0.4
 """Of the twist, how much the ribs bow or straighten with a stance."""
 
@@ -88,3 +93,12 @@ def _changes_s(end_s: float, phrases: Sequence[Interval], generator: np.random.G
                 yield at_s
                 last_s = at_s
             at_s += float(generator.uniform(*LASTS_S))
+
+
+IDLE_ACTIVITY: Mapping[Level, float] = MappingProxyType({Level.LOW: 0.75, Level.MEDIUM: 1.0, Level.HIGH: 1.3})
+"""Factors of the amplitudes of sway and noise, and of the breathing rate."""
+
+
+def idle_activity(schedule: Schedule) -> float:
+    """The factor of the amplitudes of all idle movement except breathing: 0 at a stillness of 1."""
+    return IDLE_ACTIVITY[schedule.agitation] * (1 - schedule.stillness)

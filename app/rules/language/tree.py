@@ -8,7 +8,7 @@ from math import inf
 from pathlib import Path
 from typing import TypeAlias
 
-from ...model.facts import Argument
+from ...model.functions import Argument
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 A plan starts from all facts or, in one plan per pattern, from the facts that the last round added for that pattern; it
 continues with the pattern that has most arguments bound. Computations, guards and `unless` are evaluated as soon as
-their variables are bound. Annotations are left out: they are computed when all facts are known (`annotations.py`).
+their variables are bound. Annotations are left out: they are computed when all facts are known (`chaining/chainer.py`).
 """
 
 from collections.abc import Callable, Mapping, Sequence

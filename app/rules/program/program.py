@@ -1,18 +1,21 @@
-"""Loads rule files into an immutable program: checked, stratified, with all joins planned."""
+"""Loads rule files into an immutable program: checked, stratified, with all joins planned.
+
+Adds omitted annotations to asserted facts, as 0, so that any other rule's claim prevails.
+
+The names that the paper prints for two classes of functions are ours by other names (paper, Figure 3).
+"""
 
 from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 
 from ...errors import AuthoringError
 from ..knowledge import Beginning, Index
-from ..language.tree import Atom, Block, Choice, Pattern, PredicateTree, RuleFile, RuleTree
+from ..language.tree import Assertion, Atom, Block, Choice, Constant, Pattern, PredicateTree, RuleFile, RuleTree
 from .checking import check
-from .class_names import with_known_classes
 from .compiling import compiled
-from .omissions import with_annotations
 from .planning import Plan
 from .stratification import asserted, feeding, strata
 
@@ -188,3 +191,66 @@ def _rule(file: RuleFile, block: Block, tree: RuleTree) -> Rule:
 
 def _mention(atom: Atom) -> Mention:
     return Mention(atom.name, tuple(map(str, atom.arguments)))
+
+
+OMITTED = 0
+
+
+def with_annotations(files: Sequence[RuleFile]) -> tuple[RuleFile, ...]:
+    """The files, with an annotation in every asserted fact of an annotated predicate."""
+    annotated = {
+        block.tree.name: len(block.tree.parameters)
+        for file in files
+        for block in file.blocks
+        if isinstance(block.tree, PredicateTree) and any(parameter.merged for parameter in block.tree.parameters)
+    }
+    lacking = frozenset((name, length - 1) for name, length in annotated.items())
+    return tuple(replace(file, blocks=tuple(_filled_block(block, lacking) for block in file.blocks)) for file in files)
+
+
+def _filled_block(block: Block, lacking: Collection[tuple[str, int]]) -> Block:
+    if not isinstance(block.tree, RuleTree):
+        return block
+    conclusions = tuple(
+        replace(part, facts=tuple(_filled(atom, lacking) for atom in part.facts))
+        if isinstance(part, Assertion)
+        else part
+        for part in block.tree.conclusions
+    )
+    return replace(block, tree=replace(block.tree, conclusions=conclusions))
+
+
+def _filled(atom: Atom, lacking: Collection[tuple[str, int]]) -> Atom:
+    if (atom.name, len(atom.arguments)) not in lacking:
+        return atom
+    return replace(atom, arguments=(*atom.arguments, Constant(OMITTED, atom.place)))
+
+
+PRINTED: Mapping[str, str] = MappingProxyType({"quantifier": "quantification", "comparative": "comparison"})
+"""The class that is meant, by the name in the figure."""
+
+
+def with_known_classes(files: Iterable[RuleFile], printed: Mapping[str, str]) -> list[RuleFile]:
+    """The files with functions of printed classes as functions of the classes that are meant."""
+    return [replace(file, blocks=tuple(_block(block, printed) for block in file.blocks)) for file in files]
+
+
+def _block(block: Block, printed: Mapping[str, str]) -> Block:
+    tree = block.tree
+    if not isinstance(tree, RuleTree):
+        return block
+    statements = tuple(
+        replace(part, fact=_atom(part.fact, printed)) if isinstance(part, Pattern) else part for part in tree.statements
+    )
+    conclusions = tuple(
+        replace(part, facts=tuple(_atom(fact, printed) for fact in part.facts)) if isinstance(part, Assertion) else part
+        for part in tree.conclusions
+    )
+    return replace(block, tree=replace(tree, statements=statements, conclusions=conclusions))
+
+
+def _atom(atom: Atom, printed: Mapping[str, str]) -> Atom:
+    kind = atom.arguments[0] if atom.name == "fcn" and atom.arguments else None
+    if isinstance(kind, Constant) and kind.value in printed:
+        return replace(atom, arguments=(replace(kind, value=printed[str(kind.value)]), *atom.arguments[1:]))
+    return atom

@@ -1,6 +1,6 @@
 """Finds the mistakes of single rules, given the declarations.
 
-Annotations must not determine which facts exist, since they are computed afterwards (`annotations.py`): a variable
+Annotations must not determine which facts exist, since they are computed afterwards (`chaining/chainer.py`): a variable
 bound to an annotation, and every variable computed from one, may only occur in asserted annotations and in calls of
 behaviours.
 """

@@ -16,13 +16,10 @@ from ...errors import InputError
 from ...library.motion import PreparedSchedule, Realized
 from ...model import Behavior, Channel, Notice
 from ...models import Understudy
-from ..comparison import CONDITIONS, Comparison
-from ..key import KEY_COLUMNS, KEY_NAME
-from ..request import PAGE_FOLDER, StudyRequest
+from ..comparison import CONDITIONS, KEY_COLUMNS, KEY_NAME, PAGE_FOLDER, Comparison, StudyRequest
 from .clips import blind_clip, blind_sound, body_of, realized
 from .lines import StudyLine, read_lines
-from .modes import in_modes
-from .singletons import in_units_and_singly
+from .singletons import in_modes, in_units_and_singly
 from .site import CLIPS, CODE_LENGTH, LinePage, Site, script_of, script_of_bytes, write_site
 
 ADVICE: Mapping[Comparison, str] = {

@@ -5,6 +5,11 @@ retraction needs their time. In both all rests are hands at the side; all else i
 
 Where even then there is no time for a rest, S cannot be shown. The paper does not say what it did; we drop the gesture
 from both versions, so that they have the same gestures.
+
+A line in the three modes of the main paper's study (§5), which differ in their gestures alone.
+
+Head, eyes, face and postures are those of the performance by meaning in all three. As in the paper, a head that moves
+on a body whose arms move otherwise is never in quite the same place.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -14,8 +19,8 @@ from itertools import pairwise
 from ...behavior.speaker_profiles.gesture_scripts import scripted_behaviors
 from ...errors import InputError
 from ...library.motion import PreparedSchedule, Realized
-from ...library.performing import perform_line, script_analysis
-from ...model import Behavior, Channel, Interval, Performance, SyncPoints
+from ...library.performing import perform_analysis, perform_line, script_analysis
+from ...model import Behavior, Channel, Interval, Mode, Performance, SyncPoints
 from ...models import Understudy
 from ...profiles.generation.phases import Timed
 from ...profiles.generation.script import GestureScript, ScriptedGesture
@@ -149,3 +154,26 @@ def _unfit(motions: Mapping[str, Realized]) -> set[str]:
     told = [each.behavior for each in motions[SINGLETONS].motion.decisions if each.action == "blended"]
     told += [each.behavior for found in motions.values() for each in found.motion.decisions if each.action == "dropped"]
     return {name for name in told[:1] if name.startswith("script.")}
+
+
+def in_modes(models: Understudy, study_line: StudyLine) -> Mapping[str, Performance]:
+    """The line's performances by mode; raises as `perform_line` does."""
+    line, options = study_line.line, study_line.options
+    performed = perform_line(models, line, options)
+    analysis, meant = performed.analysis, performed.performance
+    others = {
+        mode: perform_analysis(models, analysis, replace(options, mode=mode), line.direction)
+        for mode in (Mode.PROSODY, Mode.RANDOM)
+    }
+    return {Mode.SEMANTIC.value: meant} | {mode.value: with_gestures_of(other, meant) for mode, other in others.items()}
+
+
+def with_gestures_of(gesturing: Performance, moving: Performance) -> Performance:
+    """The performance `moving` with the gestures of `gesturing`; names of behaviours are told apart by channel."""
+
+    def is_gesture(behavior: Behavior) -> bool:
+        return behavior.kind is Channel.GESTURE
+
+    gestures = [each for each in gesturing.behaviors if is_gesture(each)]
+    rest = [each for each in moving.behaviors if not is_gesture(each)]
+    return replace(moving, behaviors=tuple(sorted((*gestures, *rest), key=lambda each: (each.sync.start, each.id))))

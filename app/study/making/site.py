@@ -3,6 +3,16 @@ service.
 
 `index.html` has the page's modules, style and plan in itself. Motion and bodies are loaded when they are needed: from a
 disk browsers load only what is a script, so each is a script that hands over its content by an event.
+
+Inlines ES modules into one page, because browsers do not load modules from files (`file://`).
+
+Every module that the first one needs becomes a `data:` address in the page's import map, and what it imports is named
+by the module's path, so that modules stay modules. Names of packages are those of the studio's own import map.
+
+The order of lines and clips for each rater: balanced Latin squares.
+
+In a Williams square each item occurs once a row, equally often in each position, and equally often right after each
+other item. Raters take the rows in turn, so that orders are balanced after every whole square.
 """
 
 import base64
@@ -10,13 +20,12 @@ import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from math import lcm
 from pathlib import Path
 
 from ...batch.work.files import clear_unfinished, write_whole
-from ...errors import InputError
+from ...errors import InputError, ServiceError
 from ..comparison import DIMENSIONS, HIGHEST, LOWEST, MOST_UNDERSTOOD, UNDECIDED, UNDERSTOOD, Comparison
-from .inlining import Modules, packages_of
-from .ordering import rater_orders
 
 PAGE = Path(__file__).resolve().parents[1] / "page"
 CLIPS = "clips"
@@ -94,7 +103,7 @@ def _plan(site: Site) -> dict[str, object]:
         "name": site.name,
         "comparison": site.comparison.value,
         "lines": [{"sound": each.sound, "body": each.body, "clips": each.clips} for each in site.lines],
-        "orders": list(_orders(site.lines)),
+        "orders": list(_line_orders(site.lines)),
         "grades": [LOWEST, HIGHEST],
         "dimensions": DIMENSIONS,
         "undecided": UNDECIDED,
@@ -102,6 +111,108 @@ def _plan(site: Site) -> dict[str, object]:
     }
 
 
-def _orders(lines: Sequence[LinePage]) -> Iterator[list[tuple[int, tuple[int, ...]]]]:
+def _line_orders(lines: Sequence[LinePage]) -> Iterator[list[tuple[int, tuple[int, ...]]]]:
     for order in rater_orders(len(lines), len(lines[0].clips)):
         yield list(order)
+
+
+_IMPORTED = re.compile(r"""((?:\bfrom|\bimport)\s*)(["'])([^"'\n]+)\2""")
+_IMPORT_MAP = re.compile(r'<script type="importmap">(.*?)</script>', re.DOTALL)
+_BLOCK_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+
+
+class Modules:
+    """The modules in a folder, and the locations of the packages that they import."""
+
+    def __init__(self, root: Path, packages: Mapping[str, Path]) -> None:
+        self._root, self._packages = root, packages
+
+    def import_map(self, first: Path) -> str:
+        """The import map, JSON, of the module and all that it imports.
+
+        Raises ServiceError `installation_incomplete`.
+        """
+        found: dict[str, str] = {}
+        waiting = [first]
+        while waiting:
+            path = waiting.pop()
+            name = self.name(path)
+            if name not in found:
+                found[name] = _address(self._named(path))
+                waiting += self._imported(path)
+        return json.dumps({"imports": found}, separators=(",", ":"))
+
+    def name(self, path: Path) -> str:
+        """The name of a module in the import map."""
+        return path.relative_to(self._root).as_posix()
+
+    def _named(self, path: Path) -> str:
+        """The module's text, its imports by their names in the map."""
+
+        def renamed(match: re.Match[str]) -> str:
+            target = self._target(path, match[3])
+            return match[0] if target is None else f"{match[1]}{match[2]}{self.name(target)}{match[2]}"
+
+        return _IMPORTED.sub(renamed, _text(path))
+
+    def _imported(self, path: Path) -> Iterator[Path]:
+        targets = (self._target(path, match[3]) for match in _IMPORTED.finditer(_text(path)))
+        yield from (target for target in targets if target is not None)
+
+    def _target(self, path: Path, named: str) -> Path | None:
+        """The file that an import names; None for a text that only looks like one."""
+        if named.startswith("."):
+            return (path.parent / named).resolve()
+        longest = max((name for name in self._packages if _is_in(named, name)), key=len, default=None)
+        return None if longest is None else self._packages[longest] / named.removeprefix(longest)
+
+
+def packages_of(page: Path, at: str) -> dict[str, Path]:
+    """The packages of a page's import map, whose addresses `at` stand for the page's folder."""
+    match = _IMPORT_MAP.search(page.read_text(encoding="utf-8"))
+    named = json.loads(match[1])["imports"] if match else {}
+    return {name: (page.parent / address.removeprefix(at)).resolve() for name, address in named.items()}
+
+
+def _is_in(named: str, package: str) -> bool:
+    return named == package or (package.endswith("/") and named.startswith(package))
+
+
+def _text(path: Path) -> str:
+    """A module's text without its comments, which may speak of other modules."""
+    try:
+        text = path.read_text(encoding="utf-8")
+    except OSError:
+        message = f"the studio's {path.name} is missing at {path}; reinstall understudy"
+        raise ServiceError("installation_incomplete", message) from None
+    return text if "/vendor/" in path.as_posix() else _BLOCK_COMMENT.sub("", text)
+
+
+def _address(module: str) -> str:
+    return f"data:text/javascript;base64,{base64.b64encode(module.encode()).decode()}"
+
+
+Order = tuple[int, ...]
+
+
+def williams_square(count: int) -> tuple[Order, ...]:
+    """The orders of `count` items: `count` rows, or twice as many if the count is odd."""
+    first = [place // 2 if place % 2 == 0 else count - 1 - place // 2 for place in range(count)]
+    rows = [tuple((thing + shift) % count for thing in first) for shift in range(count)]
+    return tuple(rows) if count % 2 == 0 else tuple(rows + [row[::-1] for row in rows])
+
+
+def rater_orders(lines: int, clips: int) -> tuple[tuple[tuple[int, Order], ...], ...]:
+    """For each rater, until the orders repeat: the lines in the order in which he sees them, each with the order of its
+    clips.
+
+    A line has every order of its clips equally often over the raters, and a rater has different orders line by line.
+    """
+    squares = williams_square(lines), williams_square(clips)
+    raters = range(lcm(len(squares[0]), len(squares[1])))
+    return tuple(_orders(squares, rater) for rater in raters)
+
+
+def _orders(squares: tuple[Sequence[Order], Sequence[Order]], rater: int) -> tuple[tuple[int, Order], ...]:
+    of_lines, of_clips = squares
+    return tuple((line, of_clips[(rater + line) % len(of_clips)]) for line in of_lines[rater % len(of_lines)])

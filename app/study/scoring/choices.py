@@ -17,7 +17,7 @@ from scipy import stats
 
 from ...errors import InputError
 from ..comparison import DIMENSIONS, NATURAL, UNITS
-from .answers import Verdict, by_rater
+from .reading import Verdict, by_rater
 
 FEWEST_RATERS = 2
 CHANCE = 0.5

@@ -18,7 +18,7 @@ from scipy import stats
 
 from ...errors import InputError
 from ..comparison import CONDITIONS, Choice, Comparison
-from .answers import Rating, by_rater
+from .reading import Rating, by_rater
 
 FEWEST_RATERS = 2
 CONFIDENCE = 0.95

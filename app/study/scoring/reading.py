@@ -6,24 +6,58 @@ instead of it `line` and `condition`; `choice` (best, worst or empty) may be the
 answer. What a clip shows is in the key that `understudy study make` wrote (columns `clip`, `line`, `condition`).
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeVar
 
 from ..comparison import (
     CONDITIONS,
     DIMENSIONS,
     HIGHEST,
+    KEY_COLUMNS,
+    KEY_NAME,
     LOWEST,
     MOST_UNDERSTOOD,
     UNDECIDED,
     UNDERSTOOD,
     Choice,
     Comparison,
+    Key,
+    Shown,
 )
-from ..key import KEY_COLUMNS, KEY_NAME, Key, Shown
-from .answers import Answers, Rating, Verdict
-from .mistakes import AnswersError, CellMistake
-from .tables import Row, Table, read_table
+from .tables import AnswersError, CellMistake, Row, Table, read_table
+
+
+@dataclass(frozen=True, slots=True)
+class Rating:
+    """What a rater gave one clip of a line."""
+
+    rater: str
+    line: str
+    condition: str
+    grade: float
+    choice: Choice = Choice.NEITHER
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """In which condition a line's character is more of a dimension; None is undecided."""
+
+    rater: str
+    line: str
+    dimension: str
+    chosen: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class Answers:
+    """The answers of all files, of one comparison; `understood` is how much was understood, answer by answer."""
+
+    comparison: Comparison
+    ratings: tuple[Rating, ...] = ()
+    verdicts: tuple[Verdict, ...] = ()
+    understood: tuple[int, ...] = ()
 
 
 def read_answers(paths: Sequence[Path], key: Path | None = None) -> Answers:
@@ -178,3 +212,14 @@ class _Reading:
             message = f"{' '.join(answered[1:])}: this rater has answered it already, at {first.path}:{first.line}"
             self._mistakes.append(row.wrong("rater", message))
         return first is row
+
+
+Answer = TypeVar("Answer", Rating, Verdict)
+
+
+def by_rater(answers: Iterable[Answer]) -> dict[str, list[Answer]]:
+    """The answers of each rater, in the order of their first."""
+    found: dict[str, list[Answer]] = {}
+    for each in answers:
+        found.setdefault(each.rater, []).append(each)
+    return found

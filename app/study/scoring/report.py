@@ -4,9 +4,10 @@ import json
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict
 
-from ..comparison import DIMENSIONS, SINGLETONS, UNITS
-from .choices import Agreement, ChoiceStatistics, DimensionStatistics
-from .ratings import Preference, RatingStatistics, Variance
+from ..comparison import DIMENSIONS, SINGLETONS, UNITS, Comparison
+from .choices import Agreement, ChoiceStatistics, DimensionStatistics, choice_statistics
+from .ratings import Preference, RatingStatistics, Variance, rating_statistics
+from .reading import Answers
 
 Statistics = RatingStatistics | ChoiceStatistics
 
@@ -119,3 +120,10 @@ def _percent(share: float) -> str:
 
 def _p(p: float) -> str:
     return f"p < {SMALLEST_P:g}" if p < SMALLEST_P else f"p = {p:.3f}"
+
+
+def score(answers: Answers) -> RatingStatistics | ChoiceStatistics:
+    """The statistics of a study; raises InputError `too_few_answers`."""
+    if answers.comparison is Comparison.MODES:
+        return rating_statistics(answers.ratings)
+    return choice_statistics(answers.verdicts, answers.understood)

@@ -1,19 +1,34 @@
 """CSV files with a header: their cells by column, and what is wrong with them, by line and column of the file.
 
 Lines and columns count from 1, the header being line 1 and a column a cell of it. Column names ignore case and spaces.
+
+All files of answers are checked at once.
 """
 
 import csv
 import io
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from ...errors import InputError, UndecodableError, shown
 from ...suggestions import did_you_mean
-from .mistakes import AnswersError, CellMistake
 
 LARGEST_BYTES = 64 << 20
+
+
+@dataclass(frozen=True, slots=True)
+class CellMistake:
+    """What is wrong with a cell, or with a whole line where `column` is None."""
+
+    path: Path
+    line: int
+    message: str
+    column: int | None = None
+
+    def __str__(self) -> str:
+        column = "" if self.column is None else f":{self.column}"
+        return f"{self.path}:{self.line}{column}: {self.message}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,3 +118,16 @@ def _lines(path: Path, text: str) -> Iterator[tuple[int, list[str]]]:
             last = reader.line_num
     except csv.Error as error:
         raise AnswersError([CellMistake(path, last + 1, f"{error}; double each quote within a quoted cell")]) from None
+
+
+MOST_TOLD = 20
+
+
+class AnswersError(InputError):
+    """Files of answers that do not hold together: `mistakes` has every one, the message the first twenty."""
+
+    def __init__(self, mistakes: Iterable[CellMistake]) -> None:
+        self.mistakes = tuple(mistakes)
+        told = list(map(str, self.mistakes[:MOST_TOLD]))
+        more = len(self.mistakes) - len(told)
+        super().__init__("answers_wrong", "\n".join([*told, *([f"and {more} more"] if more else [])]), field="answers")

@@ -22,9 +22,9 @@ from typing import Any
 import numpy as np
 
 from understudy.errors import UnderstudyError
+from understudy.realizer.avatars.avatar import to_avatar_glb
 from understudy.realizer.body.motion import SHAPES, BodyMotion, Motion
 from understudy.realizer.body.skeleton import Skeleton
-from understudy.realizer.exporting.avatars.avatar import to_avatar_glb
 from understudy.realizer.exporting.gltf import Accessors, joint_nodes, to_glb_bytes
 from understudy.realizer.exporting.retargeting import Rig, load_rigs
 from understudy.realizer.geometry.rotations import IDENTITY

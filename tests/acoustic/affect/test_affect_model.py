@@ -12,7 +12,7 @@ from understudy.acoustic.agitation.agitation import FuzzySvm
 from understudy.acoustic.agitation.speaker import TypicalSpeaker
 from understudy.errors import InputError, ServiceError
 from understudy.model import NEUTRAL, SAMPLE_RATE_HZ, Audio, FloatArray, Tone
-from understudy.model.voice.speaker_reference import SpeakerReference
+from understudy.model.voice.signal import SpeakerReference
 from understudy.resources import resource_folder
 
 SHIPPED = resource_folder("models") / "affect"

@@ -5,8 +5,14 @@ import pytest
 
 from tests.support.words.measured import stretch_of
 from understudy.acoustic.affect.dimensions import PLACES
-from understudy.acoustic.affect.line_affect import HALF_TRUSTED_S, given_line, line_affect, phrase_interval, phrases_of
-from understudy.acoustic.affect.stretch import Stretch
+from understudy.acoustic.affect.line_affect import (
+    HALF_TRUSTED_S,
+    Stretch,
+    given_line,
+    line_affect,
+    phrase_interval,
+    phrases_of,
+)
 from understudy.errors import InputError
 from understudy.model import SAMPLE_RATE_HZ, Affect, AffectTrack, Audio, Interval, Tone, Word
 from understudy.schemas.affect import affect_rows, affect_track, read_affect, read_affect_track

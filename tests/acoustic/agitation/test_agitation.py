@@ -16,7 +16,7 @@ from understudy.acoustic.agitation.speaker import TypicalSpeaker
 from understudy.acoustic.agitation.utterance_features import FEATURE_SETS
 from understudy.errors import InputError, ServiceError
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray, Level
-from understudy.model.voice.speaker_reference import SpeakerReference
+from understudy.model.voice.signal import SpeakerReference
 from understudy.resources import resource_folder
 
 MODEL_FOLDER = resource_folder("models") / "agitation"

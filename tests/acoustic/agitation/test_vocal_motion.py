@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from understudy.acoustic.agitation.vocal_motion import dynamics_features
+from understudy.acoustic.agitation.utterance_features import dynamics_features
 from understudy.acoustic.agitation.voice_quality import voice_quality
 from understudy.acoustic.contours import contours_of
 from understudy.model import SAMPLE_RATE_HZ, Audio, Contours, FloatArray

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from librosa.feature import mfcc
 
-from understudy.acoustic.signal.mel import cepstral_basis, mel_filters
+from understudy.acoustic.signal.spectrum import cepstral_basis, mel_filters
 
 
 def test_each_band_weighs_a_flat_spectrum_the_same() -> None:
@@ -50,7 +50,7 @@ def test_nobody_can_change_what_all_share() -> None:
 def test_librosa_is_imported_once_for_all_processes(tmp_path: Path) -> None:
     """The second process finds what the first one kept, and gets the very same."""
     code = (
-        "import sys; from understudy.acoustic.signal.mel import cepstral_basis, mel_filters\n"
+        "import sys; from understudy.acoustic.signal.spectrum import cepstral_basis, mel_filters\n"
         "kept = mel_filters(512, bands=40, lowest_hz=80, highest_hz=8000), cepstral_basis(40, 13)\n"
         "print('librosa' in sys.modules, *(matrix.tobytes().hex() for matrix in kept))"
     )

@@ -6,8 +6,7 @@ from types import MappingProxyType
 import pytest
 
 from understudy.batch.casting.cast_file import Cast, Part
-from understudy.batch.casting.casting import Casting
-from understudy.batch.casting.partners import listener_name, neighbours
+from understudy.batch.casting.casting import Casting, listener_name, neighbours
 from understudy.batch.model import Recording, ScriptLine, Take
 from understudy.model import Level, Target
 from understudy.options import Options

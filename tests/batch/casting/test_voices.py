@@ -12,7 +12,7 @@ from understudy.batch.casting.voices import (
     reference_jobs,
 )
 from understudy.batch.work.audio import AudioSource
-from understudy.model.voice.speaker_reference import SpeakerReference
+from understudy.model.voice.signal import SpeakerReference
 
 
 def recordings(speaker: str, count: int) -> list[tuple[str, AudioSource]]:

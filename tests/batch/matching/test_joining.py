@@ -5,8 +5,7 @@ from pathlib import Path
 import pytest
 
 from understudy.batch.matching.joining import Choice, Joined, join_recordings
-from understudy.batch.matching.patterns import Pattern
-from understudy.batch.matching.recordings import RecordingFile, find_recordings
+from understudy.batch.matching.recordings import Pattern, RecordingFile, find_recordings
 from understudy.batch.model import ScriptLine
 from understudy.errors import InputError
 

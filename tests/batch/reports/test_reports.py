@@ -12,12 +12,9 @@ from lxml import html
 
 from understudy import batch
 from understudy.batch.manifest.entries import Entry, State, WrittenFile
-from understudy.batch.reports.advice import PLAIN, plain_words
-from understudy.batch.reports.attention import attention, reasons
-from understudy.batch.reports.csv_report import to_csv
+from understudy.batch.reports.attention import PLAIN, attention, plain_words, reasons
 from understudy.batch.reports.html_report import Heading, Thumbnail, to_html
-from understudy.batch.reports.index_json import to_index
-from understudy.batch.reports.writing import in_order_of_attention
+from understudy.batch.reports.writing import in_order_of_attention, to_csv, to_index
 from understudy.batch.work.jobs import Failure, Measures
 from understudy.model import Notice
 

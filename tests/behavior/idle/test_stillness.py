@@ -11,8 +11,7 @@ from tests.support.words.by_hand import movement, offered, spoken, utterance
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.scheduling import schedule
 from understudy.behavior.idle.stillness import stilled, with_stillness
-from understudy.behavior.listeners.head_rates import HeadRates
-from understudy.behavior.listeners.listening import Listener, listen
+from understudy.behavior.listeners.listening import HeadRates, Listener, listen
 from understudy.errors import InputError
 from understudy.model import Behavior, Channel, Listening, Performance, SyncPoints
 from understudy.option_table import PERFORMANCE

@@ -1,3 +1,5 @@
+"""Tests."""
+
 from itertools import pairwise
 from pathlib import Path
 
@@ -6,14 +8,15 @@ import pytest
 from tests.support.words.by_hand import movement, offered, spoken, utterance
 from understudy.behavior.characters.overlays import Character, Characters
 from understudy.behavior.choice.scheduling import schedule
-from understudy.behavior.listeners.head_rates import HeadRates
-from understudy.behavior.listeners.listening import Listener, listen
+from understudy.behavior.listeners.listening import HeadRates, Listener, listen
 from understudy.behavior.reading.player import Ban
+from understudy.errors import AuthoringError
 from understudy.model import Behavior, Channel, Interval, Word
 
 LEXICON = Path(__file__).resolve().parents[3] / "lexicon"
 CHARACTERS = Characters.load(LEXICON)
 RATES = HeadRates.load(LEXICON / "acting" / "head_rates.yaml")
+
 EAGER = HeadRates(nods_after_pause=1.0, nods_after_phrase=1.0, mirrored=1.0, delay_s=0.4, delay_spread_s=0.0)
 """A listener who leaves nothing unanswered."""
 
@@ -95,3 +98,25 @@ def test_listeners_differ_and_each_is_the_same_again() -> None:
 
 def test_without_times_there_is_nothing_to_listen_to() -> None:
     assert listen((), utterance((Word(0, "Yes."),)), Listener(DEFAULT, RATES, "ada"), seed=0) == ()
+
+
+GOOD = """\
+nods_after_pause: 0.2
+nods_after_phrase: 0.1
+mirrored: 0
+delay_s: 0.5
+delay_spread_s: 0.3
+"""
+
+
+def test_rates_are_read(tmp_path: Path) -> None:
+    (tmp_path / "head_rates.yaml").write_text(GOOD, encoding="utf-8")
+    assert HeadRates.load(tmp_path / "head_rates.yaml") == HeadRates(0.2, 0.1, 0.0, 0.5, 0.3)
+
+
+def test_every_mistake_is_told_with_its_line(tmp_path: Path) -> None:
+    wrong = GOOD.replace("0.2", "1.2").replace("delay_s: 0.5", "delay_s: soon").replace("mirrored", "mirored")
+    (tmp_path / "head_rates.yaml").write_text(wrong, encoding="utf-8")
+    with pytest.raises(AuthoringError) as caught:
+        HeadRates.load(tmp_path / "head_rates.yaml")
+    assert {mistake.line for mistake in caught.value.mistakes} >= {1, 3, 4}

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from tests.support.annotations import SPARING, SWEEPING
-from understudy.behavior.listeners.head_rates import HeadRates
+from understudy.behavior.listeners.listening import HeadRates
 from understudy.behavior.speaker_profiles.habits import (
     HEAD_MOVEMENTS_PER_MINUTE,
     as_listener,

@@ -1,9 +1,16 @@
+"""Tests."""
+
+from dataclasses import replace
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.motion.gesture_clips import gesture
+from tests.support.words.utterances import utterance
 from understudy.behavior.table.behavior_table import Phase, Timing
-from understudy.behavior.timing.phases import Placing, Window, placed
+from understudy.behavior.timing.phases import Placing, Window, placed, with_manner
+from understudy.model import Channel, Interval, Manner, Utterance, Word
 
 GESTURE = Timing(Phase(0.2, 0.5), Phase(0.2, 0.4), Phase(0.1, 1.0), Phase(0.1, 0.5))
 NOD = Timing(Phase(0.1, 0.2), Phase(0.2, 0.4), Phase(0, 0), Phase(0.1, 0.2), alignment=0.5)
@@ -83,3 +90,24 @@ def test_whatever_is_placed_is_in_order_and_in_its_window(
         assert times == sorted(times)
         assert window.from_s <= sync.start
         assert sync.end <= window.to_s
+
+
+SOFT, LOUD = Manner(0.8, 0.9, 0.7), Manner(1.3, 1.2, 1.1)
+
+
+def spoken() -> Utterance:
+    words = (Word(0, "not", Interval(1.0, 1.5)), Word(1, "—"), Word(2, "THIS", Interval(1.6, 2.2)))
+    return replace(utterance("not — THIS", ""), words=words, manners=(SOFT, SOFT, LOUD))
+
+
+@pytest.mark.parametrize(("stroke_s", "manner"), [(0.2, SOFT), (1.2, SOFT), (1.54, SOFT), (1.58, LOUD), (5.0, LOUD)])
+def test_the_word_nearest_to_the_stroke_decides(stroke_s: float, manner: Manner) -> None:
+    (made,) = with_manner((gesture("g1", stroke_s, stroke_s + 0.5),), spoken())
+    assert made.manner == manner
+
+
+def test_other_channels_and_words_without_a_voice_have_none() -> None:
+    nod = replace(gesture("h1", 1.2, 1.7), kind=Channel.HEAD)
+    assert with_manner((nod,), spoken()) == (nod,)
+    beat = gesture("g1", 1.2, 1.7)
+    assert with_manner((beat,), replace(spoken(), manners=())) == (beat,)

@@ -14,8 +14,7 @@ from understudy.bml.markup.documents import (
     Reference,
     Value,
 )
-from understudy.bml.writing.json_form import to_json
-from understudy.bml.writing.writer import to_document
+from understudy.bml.writing.writer import to_document, to_json
 from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm
 
 PAGE = (ROOT / "docs" / "bml-json.md").read_text()

@@ -4,8 +4,16 @@ import numpy as np
 import pytest
 from pythonosc.osc_bundle import OscBundle
 
-from understudy.live.avatars.osc import MOST_BYTES, bundles, message, message_head
-from understudy.live.avatars.vmc import VmcFace, VmcParts, VmcWriter, unity_name
+from understudy.live.avatars.vmc import (
+    MOST_BYTES,
+    VmcFace,
+    VmcParts,
+    VmcWriter,
+    bundles,
+    message,
+    message_head,
+    unity_name,
+)
 from understudy.live.body import BodyFrame
 from understudy.models import Understudy
 from understudy.realizer.body.motion import SHAPES

@@ -5,7 +5,7 @@ import pytest
 
 from tests.realizer.arms.test_collisions import BEFORE, BODY, moving
 from understudy.model import FloatArray, Hand
-from understudy.realizer.arms.displacements import Displacement, displaced, taper
+from understudy.realizer.arms.displacements import Displacement, around, displaced, frames_in, stretches, taper
 from understudy.realizer.body.contacts import PosedBody
 
 SWELL = 6
@@ -48,3 +48,18 @@ def test_a_wrist_goes_where_it_is_displaced_to_and_the_hand_keeps_its_orientatio
     assert after.positions_m[80, wrist] - posed.positions_m[80, wrist] == pytest.approx(push_m[80], abs=1e-6)
     assert after.orientations[80, wrist] == pytest.approx(posed.orientations[80, wrist], abs=1e-6)
     assert np.array_equal(rotations[:80], body.rotations[:80])
+
+
+def test_stretches_are_the_runs_of_true_values_at_the_ends_too() -> None:
+    inside = np.array([True, False, False, True, True, False, True])
+    assert stretches(inside).tolist() == [[0, 1], [3, 5], [6, 7]]
+    assert stretches(np.zeros(3, dtype=bool)).tolist() == []
+
+
+def test_around_has_neighbours_on_both_sides() -> None:
+    assert around(np.array([False, False, False, True, False]), 1).tolist() == [False, False, True, True, True]
+
+
+@pytest.mark.parametrize(("rate_hz", "time_s", "frames"), [(60, 0.1, 6), (30, 0.1, 3), (30, 0.001, 1)])
+def test_a_time_has_frames_by_the_rate_and_at_least_one(rate_hz: int, time_s: float, frames: int) -> None:
+    assert frames_in(np.arange(90) / rate_hz, time_s) == frames

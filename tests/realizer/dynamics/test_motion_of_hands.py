@@ -7,7 +7,7 @@ from understudy.model import Behavior, Channel, FloatArray, Hand, Interval, Leve
 from understudy.models import load_realizer
 from understudy.realizer.body.motion import Motion
 from understudy.realizer.body.skeleton import forward
-from understudy.realizer.dynamics.ends import eased_at_the_ends
+from understudy.realizer.dynamics.dragging import eased_at_the_ends
 from understudy.realizer.geometry.rotations import angle_between
 from understudy.realizer.realizing import Realizer, realize
 

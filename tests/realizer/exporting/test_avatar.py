@@ -16,9 +16,9 @@ from tests.support.motion.hand_made_motion import BODY, waving
 from tests.support.shared_data import AVATAR, needs
 from understudy.errors import InputError, UndecodableError
 from understudy.model import FloatArray
+from understudy.realizer.avatars.avatar import to_avatar_glb
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.body.skeleton import forward
-from understudy.realizer.exporting.avatars.avatar import to_avatar_glb
 from understudy.realizer.exporting.gltf import Accessors, Json, joint_nodes, to_glb_bytes
 from understudy.realizer.exporting.retargeting import load_rigs
 

@@ -14,9 +14,9 @@ from tests.realizer.exporting.test_avatar import RIGS, a_posed, along_bones, ava
 from tests.support.motion.hand_made_motion import BODY, waving
 from understudy.errors import InputError, UndecodableError
 from understudy.model import FloatArray, Hand
+from understudy.realizer.avatars.avatar import to_avatar_glb
+from understudy.realizer.avatars.pose import angles_deg, read_pose
 from understudy.realizer.body.limits import MIRROR
-from understudy.realizer.exporting.avatars.avatar import to_avatar_glb
-from understudy.realizer.exporting.avatars.pose import angles_deg, read_pose
 from understudy.realizer.exporting.glb import to_glb
 from understudy.realizer.geometry.rotations import angle_between, from_rotation_vector, multiply
 from understudy.realizer.gestures.arm_joints import arm_joints

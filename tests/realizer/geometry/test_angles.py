@@ -6,6 +6,7 @@ from understudy.realizer.geometry.angles import (
     from_pitch_yaw,
     from_pitch_yaw_roll,
     pitch_and_yaw,
+    sine_and_cosine,
     to_pitch_yaw_roll,
     unit_vector,
 )
@@ -39,3 +40,10 @@ def test_angles_are_found_again() -> None:
     assert np.allclose(to_pitch_yaw_roll(from_pitch_yaw_roll(PITCH, YAW, ROLL)), [PITCH, YAW, ROLL])
     assert np.allclose(pitch_and_yaw(3 * unit_vector(PITCH, YAW)), [PITCH, YAW])
     assert np.allclose(rotate(from_pitch_yaw_roll(PITCH, YAW, ROLL), AHEAD), unit_vector(PITCH, YAW))
+
+
+def test_sines_and_cosines_are_those_of_numpy() -> None:
+    angles = np.concatenate([np.linspace(-20.0, 20.0, 4001), np.pi * np.arange(-5, 6)]).reshape(-1, 4)
+    sine, cosine = sine_and_cosine(angles)
+    assert np.abs(sine - np.sin(angles)).max() < 1e-14
+    assert np.abs(cosine - np.cos(angles)).max() < 1e-14

@@ -6,7 +6,7 @@ import pytest
 from understudy.model import FloatArray
 from understudy.realizer.geometry.angles import from_pitch_yaw_roll, to_pitch_yaw_roll
 from understudy.realizer.geometry.rotations import angle_between
-from understudy.realizer.geometry.speeds import within_speed
+from understudy.realizer.head_and_gaze.head import within_speed
 
 FRAME_S = 0.1
 FASTEST_RAD_S = 1.0

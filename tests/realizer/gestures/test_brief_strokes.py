@@ -5,11 +5,12 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from understudy.model import Hand, Level
+from tests.support.motion.gesture_clips import clip
+from understudy.model import Hand, Level, Manner
 from understudy.model.limits.gesture_limits import brief_share
 from understudy.models import load_gestures
 from understudy.realizer.arms.wrist_paths import relax_m, stroke_end_m, stroke_start_m
-from understudy.realizer.gestures.brief_strokes import brief
+from understudy.realizer.gestures.brief_strokes import brief, mannered
 from understudy.realizer.gestures.gesture import Clip, Markers
 from understudy.realizer.gestures.gesture_plan import GestureRequest, PlacedGesture
 
@@ -49,3 +50,24 @@ def test_what_surrounds_the_stroke_lasts_as_long() -> None:
         assert lasts[1][names] == pytest.approx(0.5 * whole_s if names in in_stroke else whole_s, abs=0.02)
     times_s = [key.time_s for key in brief(clip).keys]
     assert times_s == sorted(times_s)
+
+
+def test_the_usual_manner_changes_nothing() -> None:
+    assert mannered(clip(), Manner(amplitude=1.4)) == clip()
+
+
+@pytest.mark.parametrize("speed", [0.8, 1.25])
+def test_speed_shortens_all_phases_alike(speed: float) -> None:
+    usual, made = clip(), mannered(clip(), Manner(speed=speed))
+    assert made.markers.stroke_end == pytest.approx(usual.markers.stroke_end / speed)
+    assert [key.time_s for key in made.keys] == pytest.approx([key.time_s / speed for key in usual.keys])
+    assert made.stroke_speed_m_s == pytest.approx(usual.stroke_speed_m_s * speed)
+
+
+def test_tension_gives_power_and_takes_fluidity_within_bounds() -> None:
+    usual = clip().expressivity
+    tense, lax = (mannered(clip(), Manner(tension=tension)).expressivity for tension in (1.4, 0.6))
+    assert tense.power > usual.power > lax.power
+    assert tense.fluidity < usual.fluidity < lax.fluidity
+    assert mannered(clip(), Manner(tension=9)).expressivity.fluidity >= 0
+    assert mannered(clip(), Manner(tension=9)).expressivity.power == 1

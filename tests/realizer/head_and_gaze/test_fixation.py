@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from understudy.realizer.head_and_gaze.fixation import MEAN_S, fixation_offsets, saccade_s
+from understudy.realizer.head_and_gaze.gaze import MEAN_S, fixation_offsets, saccade_s
 
 TIMES_S = np.arange(0, 120 * 60) / 60
 

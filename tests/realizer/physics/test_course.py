@@ -1,9 +1,11 @@
+"""Tests."""
+
 import numpy as np
 import pytest
 
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.geometry.rotations import angle_between
-from understudy.realizer.physics.course import between, course_of, rotations_of
+from understudy.realizer.physics.course import between, course_of, rotations_of, standing_torques
 from understudy.realizer.physics.physical_body import STEP_S, physical_body
 
 from .bodies import RATE_HZ, still_body, striking_body
@@ -45,3 +47,13 @@ def test_arms_are_asked_early_and_the_trunk_is_not() -> None:
     earlier = round(0.033 * RATE_HZ)
     moved = body.rotations[:, skeleton.index["leftLowerArm"]]
     assert np.degrees(angle_between(asked[:-earlier, elbow], moved[earlier:]).max()) < 1.5
+
+
+@pytest.mark.parametrize("leaning_m", [0.0, 0.03])
+def test_nothing_is_left_over_that_moves_the_hips(leaning_m: float) -> None:
+    skeleton = Skeleton.standing()
+    physical = physical_body(skeleton)
+    positions = course_of(physical, skeleton, still_body(skeleton, leaning_m=leaning_m)).positions[:1]
+    torques = standing_torques(physical, positions)[0]
+    np.testing.assert_allclose(torques[:6], 0, atol=1e-6)
+    assert np.abs(torques[6:]).max() > 1

@@ -9,8 +9,7 @@ from understudy.realizer.body.masses import mass_kg
 from understudy.realizer.body.proportions import Proportions
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.physics.course import course_of
-from understudy.realizer.physics.inertia import inertia_beyond_kg_m2
-from understudy.realizer.physics.physical_body import SERVOS, physical_body, servo_of
+from understudy.realizer.physics.physical_body import SERVOS, inertia_beyond_kg_m2, physical_body, servo_of
 
 from .bodies import still_body
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.support.motion.gesture_clips import HandMade, clip, gesture, library, place
+from tests.support.motion.gesture_clips import MARKERS, HandMade, clip, gesture, library, place
 from understudy.model import Behavior, FloatArray, Hand, Schedule
 from understudy.realizer.arms.arm_keys import arm_track
 from understudy.realizer.arms.posing import pose_arm
@@ -15,9 +15,9 @@ from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.geometry.rotations import IDENTITY, angle_between
 from understudy.realizer.gestures.arm_joints import arm_joints
-from understudy.realizer.gestures.gesture import ArmKey, ClipKey, FrameType
+from understudy.realizer.gestures.gesture import ArmKey, Clip, ClipKey, FrameType, OffsetTrack, TrackForm
 from understudy.realizer.gestures.gesture_plan import GesturePlan
-from understudy.realizer.scheduling.gesture_controller import apply_gestures
+from understudy.realizer.scheduling.gesture_controller import ARC, apply_gestures
 from understudy.realizer.scheduling.planning import plan_gestures
 
 SKELETON = Skeleton.standing()
@@ -145,3 +145,46 @@ def test_the_plan_knows_where_a_pointing_wrist_is() -> None:
     posed = pose_arm(SKELETON, Hand.RIGHT, ArmKey(place=place(0.3)), aim_m=np.array([-2.0, 1.2 - 0.95, 1.5]))
     assert posed.wrist_m is not None
     np.testing.assert_allclose(relax_m(arm.placed, Hand.RIGHT), posed.wrist_m, atol=0.05)
+
+
+STROKE_S = 2.0
+BEGINS, ENDS = (
+    round((STROKE_S + at_s - MARKERS.stroke) * RATE_HZ) for at_s in (MARKERS.stroke_start, MARKERS.stroke_end)
+)
+
+
+def wrists(played: Clip, side: str, *, curved: bool) -> FloatArray:
+    """Where a wrist is (T, 3) in a gesture whose stroke leads .3 m outwards."""
+    asked = replace(gesture("g", STROKE_S, 2.5, hand=played.hand), curved=curved)
+    return wrist(moved(planned([asked], library(played))), side)
+
+
+def added_m(played: Clip, side: str) -> FloatArray:
+    """How far (T, 3) a wrist is from where it would be without the arc."""
+    return wrists(played, side, curved=True) - wrists(played, side, curved=False)
+
+
+@pytest.mark.parametrize("hand", Hand)
+def test_the_wrist_is_beside_the_line_in_the_middle_of_the_stroke_and_in_its_place_at_both_ends(hand: Hand) -> None:
+    for side in ("left", "right") if hand is Hand.BOTH else (hand,):
+        way_m = wrists(clip(hand=hand), side, curved=False)[[BEGINS, ENDS]]
+        beside_m = added_m(clip(hand=hand), side)
+        length_m = float(np.linalg.norm(way_m[1] - way_m[0]))
+        most = int(np.argmax(np.linalg.norm(beside_m, axis=1)))
+        assert np.linalg.norm(beside_m[most]) == pytest.approx(ARC * length_m, rel=0.2)
+        assert abs(most - (BEGINS + ENDS) / 2) <= 0.25 * RATE_HZ * (MARKERS.stroke_end - MARKERS.stroke_start)
+        assert beside_m[most, 1] > 0.5 * np.linalg.norm(beside_m[most]), "a stroke to the side goes over the line"
+        assert abs(beside_m[most] @ (way_m[1] - way_m[0])) < 0.2 * length_m * np.linalg.norm(beside_m[most])
+
+
+def test_nothing_is_bent_outside_the_stroke_nor_in_the_other_arm() -> None:
+    beside_m = added_m(clip(), "right")
+    np.testing.assert_allclose(np.vstack((beside_m[: BEGINS - 1], beside_m[ENDS + 2 :])), 0, atol=1e-9)
+    np.testing.assert_allclose(added_m(clip(), "left"), 0, atol=1e-9)
+
+
+def test_a_stroke_of_the_wrist_alone_and_one_that_is_an_arc_already_stay_as_they_are() -> None:
+    in_place = clip(from_m=0.1, to_m=0.1)
+    np.testing.assert_allclose(added_m(in_place, "right"), 0, atol=1e-9)
+    arc = replace(clip(), tracks=(OffsetTrack(TrackForm.CURVED, "UpperArm", (0.0, 0.0, 10.0)),))
+    np.testing.assert_allclose(added_m(arc, "right"), 0, atol=1e-9)

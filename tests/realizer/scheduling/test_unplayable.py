@@ -4,8 +4,11 @@ import pytest
 
 from tests.support.motion.movements import behavior, schedule
 from understudy.behavior.characters.overlays import Characters
-from understudy.model import Channel
-from understudy.realizer.scheduling.unplayable import unplayable_behaviors
+from understudy.model import Behavior, Channel, Hand, Schedule, SyncPoints
+from understudy.models import load_realizer
+from understudy.realizer.body.motion import Decision
+from understudy.realizer.realizing import realize
+from understudy.realizer.scheduling.unplayable import timing_deviations, unplayable_behaviors
 from understudy.resources import resource_folder
 
 
@@ -55,3 +58,50 @@ def test_repetitions_that_there_is_no_time_for_are_told() -> None:
 
 def test_what_lost_is_not_told() -> None:
     assert unplayable_behaviors(schedule(behavior(Channel.HEAD, "ROLL_EYES", 1.0, 2.0, kept=False))) == ()
+
+
+ASKED = Behavior("g1", Channel.GESTURE, "BEAT", SyncPoints(1.0, 3.0, stroke=1.95), 0, 0, 1.0, hand=Hand.RIGHT)
+
+
+def test_a_beat_from_1_to_3_is_played_from_1_to_3() -> None:
+    """The hand takes its time on both ways; nothing is left to tell."""
+    schedule = Schedule((ASKED,), 4.0, asked={"g1": frozenset({"start", "end"})})
+    motion = realize(load_realizer(), schedule, frame_rate_hz=30)
+    made = motion.realized["g1"]
+    assert (made.start, made.end) == pytest.approx((1.0, 3.0), abs=1e-6)
+    assert [each for each in motion.decisions if each.action == "timed"] == []
+
+
+def test_what_hands_cannot_do_in_the_time_is_told_with_both_times() -> None:
+    asked = Behavior("g1", Channel.GESTURE, "BEAT", SyncPoints(1.0, 1.15, stroke=1.1), 0, 0, 1.0, hand=Hand.RIGHT)
+    schedule = Schedule((asked,), 4.0, asked={"g1": frozenset({"start", "stroke", "end"})})
+    motion = realize(load_realizer(), schedule, frame_rate_hz=30)
+    made = motion.realized["g1"]
+    assert made.stroke == pytest.approx(1.1)
+    (told,) = (each for each in motion.decisions if each.action == "timed")
+    reason = f"begins at {made.start:.2f} s, not at 1.00 s; ends at {made.end:.2f} s, not at 1.15 s"
+    assert told == Decision("g1", "timed", reason)
+
+
+@pytest.mark.parametrize(
+    ("made", "decided", "told"),
+    [
+        (SyncPoints(1.04, 2.96), None, []),
+        (SyncPoints(1.1, 3.0), None, ["begins at 1.10 s, not at 1.00 s"]),
+        (SyncPoints(0.9, 3.2), None, ["begins at 0.90 s, not at 1.00 s; ends at 3.20 s, not at 3.00 s"]),
+        (SyncPoints(0.9, 3.2), "held", ["begins at 0.90 s, not at 1.00 s"]),
+        (SyncPoints(1.2, 3.2), "blended", ["ends at 3.20 s, not at 3.00 s"]),
+        (SyncPoints(1.2, 3.2), "dropped", []),
+    ],
+)
+def test_what_is_told_is_not_told_twice(made: SyncPoints, decided: str | None, told: list[str]) -> None:
+    decisions = [Decision("g1", decided, "why")] if decided else []
+    assert [each.reason for each in timing_deviations([ASKED], {"g1": made}, decisions, {})] == told
+
+
+def test_points_that_a_document_states_are_told_though_decisions_hint_at_them() -> None:
+    asked = Behavior("g1", Channel.GESTURE, "BEAT", SyncPoints(1.0, 3.0, stroke_end=1.8, relax=2.0), 0, 0, 1.0)
+    made = SyncPoints(1.0, 3.2, stroke_end=1.7, relax=2.4)
+    stated = {"g1": frozenset({"start", "relax", "end"})}
+    (told,) = timing_deviations([asked], {"g1": made}, [Decision("g1", "held", "why")], stated)
+    assert told.reason == "relaxes at 2.40 s, not at 2.00 s; ends at 3.20 s, not at 3.00 s"

@@ -5,7 +5,7 @@ import pytest
 
 from understudy.model import FloatArray, Hand
 from understudy.realizer.body.movement_style import StrokeLife
-from understudy.realizer.torso.accents import AHEAD_S, RECOVERY_S, Accent, accent_course
+from understudy.realizer.torso.trunk import AHEAD_S, RECOVERY_S, Accent, accent_course
 
 TIMES_S: FloatArray = np.arange(301) / 60
 LIFE = StrokeLife(dip_m=0.01, bow_deg=4.0, twist_deg=3.0, shoulders_deg=2.0, weight_m=0.015, neck_deg=5.0)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from understudy.model import Interval
-from understudy.realizer.torso.breathing import lung_volume
+from understudy.realizer.torso.idle import lung_volume
 
 TIMES_S = np.arange(0, 120 * 30) / 30
 

@@ -9,6 +9,7 @@ from tests.support.motion.movements import BODY, TIMES_S, behavior, schedule
 from understudy.model import Channel, FloatArray, Hand
 from understudy.realizer.body.limits import violations
 from understudy.realizer.body.motion import BodyMotion
+from understudy.realizer.body.movement_style import IdleLife
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.geometry.rotations import angle_between, rotate
 from understudy.realizer.gestures.gesture_plan import GesturePlan
@@ -16,7 +17,7 @@ from understudy.realizer.gestures.library import Library
 from understudy.realizer.scheduling.gesture_controller import apply_gestures
 from understudy.realizer.scheduling.planning import plan_gestures
 from understudy.realizer.torso.idle import idle_motion
-from understudy.realizer.torso.shrugs import LIFTS_DEG, with_shrugs
+from understudy.realizer.torso.shrugs import LIFTS_DEG, with_neck_reaching, with_shrugs
 
 LIBRARY = Library.load(Path(__file__).resolve().parents[3] / "lexicon" / "gestures")
 
@@ -67,3 +68,27 @@ def test_other_gestures_leave_the_shoulders_alone() -> None:
     assert set(LIFTS_DEG) <= set(LIBRARY.categories)
     before, after = before_and_after("OPEN_HAND", Hand.RIGHT)
     assert after is before
+
+
+LIFE = IdleLife(neck_forward_deg=10.0)
+
+
+def test_the_head_comes_forward_and_down_and_keeps_its_orientation() -> None:
+    before = idle_motion(BODY, TIMES_S, schedule(), seed=1)
+    after = with_neck_reaching(BODY, before, schedule(), np.zeros(len(TIMES_S)), seed=1, life=LIFE)
+    head = BODY.index["head"]
+    (before_m, before_turned), (after_m, after_turned) = (
+        forward(BODY, each.rotations, each.hips_m) for each in (before, after)
+    )
+    assert angle_between(before_turned[:, head], after_turned[:, head]).max() < 1e-6
+    moved_m = (after_m - before_m)[:, head]
+    assert moved_m[:, 2].mean() == pytest.approx(0.1 * np.sin(np.radians(10)), abs=0.004)
+    assert moved_m[:, 1].max() < 0
+
+
+def test_strokes_move_it_too() -> None:
+    before = idle_motion(BODY, TIMES_S, schedule(), seed=1)
+    strokes = np.radians(np.where(TIMES_S > 1.0, 6.0, 0.0))
+    after = with_neck_reaching(BODY, before, schedule(), strokes, seed=1, life=IdleLife())
+    turned = np.degrees(angle_between(before.rotations, after.rotations)[:, BODY.index["neck"]])
+    assert turned == pytest.approx(np.degrees(strokes), abs=1e-6)

@@ -6,8 +6,8 @@ import pytest
 
 from understudy.errors import InputError
 from understudy.study.comparison import DIMENSIONS
-from understudy.study.scoring.answers import Verdict
 from understudy.study.scoring.choices import choice_statistics, one_sample_t
+from understudy.study.scoring.reading import Verdict
 
 # The additional hours of sleep by the second drug over the first (Student 1908): t(9) = 4.0621, p = .002833.
 SLEEP_H = [1.2, 2.4, 1.3, 1.3, 0.0, 1.0, 1.8, 0.8, 4.6, 1.4]

@@ -6,8 +6,8 @@ import pytest
 
 from understudy.errors import InputError
 from understudy.study.comparison import Choice
-from understudy.study.scoring.answers import Rating
 from understudy.study.scoring.ratings import Preference, rating_statistics, variance
+from understudy.study.scoring.reading import Rating
 
 # R's data set PlantGrowth (Dobson 1983): its ANOVA and TukeyHSD are on many pages.
 CONTROL = [4.17, 5.58, 5.18, 6.11, 4.50, 4.61, 5.17, 4.53, 5.33, 5.14]

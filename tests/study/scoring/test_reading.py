@@ -6,9 +6,8 @@ import pytest
 
 from understudy.errors import InputError
 from understudy.study.comparison import Choice, Comparison
-from understudy.study.scoring.answers import Rating, Verdict
-from understudy.study.scoring.mistakes import AnswersError
-from understudy.study.scoring.reading import read_answers
+from understudy.study.scoring.reading import Rating, Verdict, read_answers
+from understudy.study.scoring.tables import AnswersError
 
 KEY = "clip,line,condition\nk1,one,semantic\nk2,one,prosody\nk3,one,random\nk4,two,U\nk5,two,S\n"
 

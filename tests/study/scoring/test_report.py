@@ -4,9 +4,9 @@ import json
 
 import pytest
 
-from understudy.study.scoring.answers import Rating, Verdict
 from understudy.study.scoring.choices import choice_statistics
 from understudy.study.scoring.ratings import rating_statistics
+from understudy.study.scoring.reading import Rating, Verdict
 from understudy.study.scoring.report import report_json, report_markdown
 
 RATED = [

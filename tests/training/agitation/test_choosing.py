@@ -26,7 +26,7 @@ from training.agitation.fuzzy_svm import (
 from understudy.acoustic.agitation.agitation import squared_distances
 from understudy.acoustic.agitation.speaker import TypicalSpeaker
 from understudy.model import Audio, Level
-from understudy.model.voice.speaker_reference import SpeakerReference
+from understudy.model.voice.signal import SpeakerReference
 
 RECIPE = Recipe(features=12, reach=0.25, cost=1.0, corpus_shares={"clouds": 1.0})
 

@@ -10,8 +10,7 @@ import soundfile
 from training.alignment import __main__ as training
 from training.alignment.degradations import NOISE_DB, by_telephone, equalised, in_a_room, in_noise
 from training.alignment.timit import Sentence, read_beginnings, read_sentence, read_sentences
-from understudy.acoustic.alignment.boundaries import kernel
-from understudy.acoustic.alignment.boundary_views import CONTEXT_STEPS, BoundaryArrays, mel_levels
+from understudy.acoustic.alignment.boundaries import CONTEXT_STEPS, BoundaryArrays, kernel, mel_levels
 from understudy.model import SAMPLE_RATE_HZ, FloatArray, Interval, Phone, Word
 
 NARROW_HZ = 4000

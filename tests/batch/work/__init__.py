@@ -1,1 +1,0 @@
-"""One line performed by the job that a worker is given."""
