@@ -76,7 +76,7 @@ plugin:
 
 test-plugins: .venv/installed-test .venv-bpy/installed
 	-$(BIN)/pip install --quiet --disable-pip-version-check pyufbx
-	UNDERSTUDY_BLENDER=.venv-bpy/bin/python OMP_NUM_THREADS=1 $(BIN)/pytest -rs tests/realizer/exporting/fbx
+	UNDERSTUDY_BLENDER=.venv-bpy/bin/python OMP_NUM_THREADS=1 $(BIN)/pytest -rs tests/realizer/exporting/test_fbx.py
 	OMP_NUM_THREADS=1 .venv-bpy/bin/python -m pytest -c tests/plugins/in_blender.ini --rootdir=. \
 	    --confcutdir=tests/plugins tests/plugins/blender/in_blender
 

@@ -156,7 +156,7 @@ else:
         "errors",
         "model",
         "model.formats.bml_form",
-        "model.voice.speaker_reference",
+        "model.voice.signal",
         "models",
         "settings",
         "library.language",
