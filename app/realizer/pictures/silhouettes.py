@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FloatArray, Hand
-from ..arms.key_poses import KeyPose, key_poses
 from ..body.motion import SHAPES
 from ..body.skeleton import Skeleton, forward
 from ..geometry.rotations import rotate
@@ -33,6 +32,7 @@ from .contact_sheet import (
     display,
     draw_cells,
 )
+from .gesture_sheet import KeyPose, key_poses
 from .rasterizer import ColouredMesh, draw, joined
 
 NEAR_M, NEAR_DEG = 0.15, 40.0
