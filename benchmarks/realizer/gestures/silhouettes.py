@@ -8,6 +8,7 @@ Gestures mean the same if they share a category, or a family of lexicon/acting/f
 
 import argparse
 from collections.abc import Iterator, Mapping
+from functools import cache
 from pathlib import Path
 
 import yaml
@@ -58,6 +59,7 @@ def _meanings(definition: Definition, families: Mapping[str, frozenset[str]]) ->
     return own.union(*(families.get(category, frozenset()) for category in own))
 
 
+@cache
 def families_of() -> dict[str, frozenset[str]]:
     """The families in which each category stands."""
     table = yaml.safe_load((LEXICON / "behaviors.yaml").read_text())
