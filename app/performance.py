@@ -72,6 +72,13 @@ class PerformedLine:
     performance: Performance
     script: GestureScript | None = None
 
+    def written_script(self) -> GestureScript:
+        """The gesture script (NGS §3.3); raises InputError `value_wrong` where the options name no profile."""
+        if self.script is None:
+            message = "profile: a gesture script is written by a profile; name one"
+            raise InputError("value_wrong", message, field="profile")
+        return self.script
+
 
 def perform_line(
     understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress
@@ -130,15 +137,7 @@ def perform_behaviors(
 
 def perform(understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress) -> Performance:
     """The performance of a recorded line; raises as `perform_line` does."""
-    return perform_heard(understudy, line, options, progress)[1]
-
-
-def perform_heard(
-    understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress
-) -> tuple[Analysis, Performance]:
-    """The analysis of a line and its performance; raises as `perform_line` does."""
-    performed = perform_line(understudy, line, options, progress)
-    return performed.analysis, performed.performance
+    return perform_line(understudy, line, options, progress).performance
 
 
 def perform_analysis(
@@ -150,27 +149,6 @@ def perform_analysis(
 ) -> Performance:
     """The performance of an analysed line (paper §3.4, §3.5), with a director's notes applied."""
     return perform_behaviors(understudy.behavior, analysis, options, direction, progress).performance
-
-
-def write_script(
-    understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress
-) -> tuple[Performance, GestureScript]:
-    """The performance of a recorded line and the gesture script that its hands follow, by the profile of the options
-    (NGS §3.3); raises as `perform` does, and InputError `value_wrong` where there is no profile."""
-    return _scripted(perform_line(understudy, line, options, progress))
-
-
-def script_analysis(
-    understudy: Understudy, analysis: Analysis, options: Options, direction: Direction | None = None
-) -> tuple[Performance, GestureScript]:
-    """The same for an analysed line."""
-    return _scripted(perform_behaviors(understudy.behavior, analysis, options, direction))
-
-
-def _scripted(performed: PerformedLine) -> tuple[Performance, GestureScript]:
-    if performed.script is None:
-        raise InputError("value_wrong", "profile: a gesture script is written by a profile; name one", field="profile")
-    return performed.performance, performed.script
 
 
 def _performer(models: BehaviorModels, analysis: Analysis, options: Options, direction: Direction | None) -> Performer:

@@ -10,7 +10,7 @@ from ..model import Analysis, Direction, GivenFunction, Mode, Performance, Timin
 from ..model.edits import NO_EDITS, Edits
 from ..model.voice.signal import SpeakerReference
 from ..models import Understudy
-from ..performance import PerformedLine, perform_analysis, perform_line, script_analysis, write_script
+from ..performance import PerformedLine, perform_analysis, perform_line
 from ..performance import analyze as analyze_line
 from ..performance import perform as _perform
 from ..schemas.edits import read_edits
@@ -29,8 +29,6 @@ __all__ = [
     "perform_analysis",
     "perform_line",
     "say",
-    "script_analysis",
-    "write_script",
 ]
 
 

@@ -18,11 +18,12 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     options = performance_options(arguments)
     check_character(options.character)
     check_line(line, settings)
-    from ...library.performing import write_script
+    from ...library.performing import perform_line
     from ...models import Understudy  # imported late: arguments are checked before the models load
 
     with Understudy.load(settings) as understudy:
-        performance, script = write_script(understudy, line, options, log.stage)
-    write(arguments.output, script_json(script, performance.utterance, performance.character))
+        performed = perform_line(understudy, line, options, log.stage)
+    performance = performed.performance
+    write(arguments.output, script_json(performed.written_script(), performance.utterance, performance.character))
     log.warnings(performance.notices)
     return 0

@@ -19,7 +19,7 @@ from itertools import pairwise
 from ...behavior.speaker_profiles.gesture_scripts import scripted_behaviors
 from ...errors import InputError
 from ...library.motion import PreparedSchedule, Realized
-from ...library.performing import perform_analysis, perform_line, script_analysis
+from ...library.performing import perform_analysis, perform_line
 from ...model import Behavior, Channel, Interval, Mode, Performance, SyncPoints
 from ...models import Understudy
 from ...profiles.generation.phases import Timed
@@ -58,10 +58,10 @@ class _Member:
 
 
 def in_units_and_singly(models: Understudy, study_line: StudyLine) -> UnitVersions:
-    """The line's versions; raises as `script_analysis` does."""
+    """The line's versions; raises as `PerformedLine.written_script` does."""
     line, options = study_line.line, study_line.options
-    analysis = perform_line(models, line, options).analysis
-    performance, script = script_analysis(models, analysis, options, line.direction)
+    performed = perform_line(models, line, options)
+    performance, script = performed.performance, performed.written_script()
     profile = models.behavior.profile(options.profile)
     if profile is None:
         raise InputError("value_wrong", "profile: units are a speaker's; name a profile", field="profile")

@@ -24,7 +24,7 @@ from understudy.model import (
 )
 from understudy.models import Understudy
 from understudy.options import Options
-from understudy.performance import perform_analysis, script_analysis
+from understudy.performance import perform_analysis, perform_behaviors
 from understudy.realization import BmlInput, PreparedSchedule, prepare_schedule, realize_prepared
 from understudy.rules.stage import find_functions_in_all
 from understudy.schemas.gestures.script import read_script, script_json
@@ -99,7 +99,7 @@ def test_heads_and_eyes_follow_too(understudy: Understudy, analysis: Analysis) -
 
 def test_without_a_profile_there_is_no_script(understudy: Understudy, analysis: Analysis) -> None:
     with pytest.raises(InputError, match="name one"):
-        script_analysis(understudy, analysis, Options())
+        perform_behaviors(understudy.behavior, analysis, Options()).written_script()
     with pytest.raises(InputError, match="there is no profile 'sweepin'; did you mean 'sweeping'"):
         perform_analysis(understudy, analysis, Options(profile="sweepin"))
     with pytest.raises(InputError, match="mode prosody"):
@@ -107,7 +107,8 @@ def test_without_a_profile_there_is_no_script(understudy: Understudy, analysis: 
 
 
 def test_script_and_bml_are_played_as_performed(understudy: Understudy, analysis: Analysis) -> None:
-    performance, script = script_analysis(understudy, analysis, Options(profile="sweeping", seed=2))
+    performed = perform_behaviors(understudy.behavior, analysis, Options(profile="sweeping", seed=2))
+    performance, script = performed.performance, performed.written_script()
     read = read_script(script_json(script, performance.utterance, performance.character))
     wanted = {each.id: each for each in _gestures(performance)}
     assert len(_gestures(read)) == len(wanted) == len(script.made)
