@@ -84,7 +84,7 @@ def _run(
         work = _work(plan, settings, manifest)
         changed = _changed(plan, work, before, request)
         if not changed.is_nothing:
-            remove_reports(request.out)  # lest a kill leaves those of before
+            remove_reports(request.out)  # so that a kill leaves no older ones
             manifest.remove(changed.gone)
             manifest.put(changed.rows)
         watcher.begun(len(work), len(work) - len(changed.waiting))

@@ -141,7 +141,7 @@ def _input_error(error: Exception, folder: Path) -> InputError:
         message = f"{folder}: another understudy batch is writing there; wait for it, or give another --out"
         return InputError("out_in_use", message, field="out")
     if primary in _NOT_WRITABLE:
-        message = f"{folder}: cannot be written to: {error}; mend that and run the same command again: nothing is lost"
+        message = f"{folder}: cannot be written to: {error}; fix that and run the same command again: nothing is lost"
         return InputError("file_unwritable", message, field="out")
     return _unreadable(folder, str(error))
 

@@ -65,14 +65,14 @@ def _reasons(entry: Entry) -> Iterator[tuple[int, str]]:
         yield _UNPLAYED, "not_played_as_asked"
 
 
-_SAID = "listen; mend the words in the script, or record the line again"
+_SAID = "listen; correct the words in the script, or record the line again"
 _LEVEL = "record it again, or deliver it at another level"
 _NOTES = "change the notes for this line, or leave it as it is"
 _EDITS = "open the line in the studio and make the change again"
 
 PLAIN: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
-        "failed": ("not performed", "mend what the message says and run the same command again"),
+        "failed": ("not performed", "fix what the message says and run the same command again"),
         "waiting": ("not performed yet", "run the same command again"),
         "transcript_suspect": ("other words may be said", _SAID),
         "alignment_low_confidence": ("where the words are is a guess", _SAID),

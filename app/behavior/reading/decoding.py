@@ -117,7 +117,7 @@ def spans_of(
 
 def held(spans: Iterable[Span], ending: Collection[int]) -> Iterator[Span]:
     """The spans in order, those joined that follow each other with the same kind of movement or face within a sentence:
-    a head that is tilted over one phrase of a question stays so over the next. `ending` are the words that end
+    a head that is tilted over one phrase of a question stays tilted over the next. `ending` are the words that end
     sentences; the stroke of a joined span is that of its first part."""
     going_on: dict[str, Span] = {}
     for span in sorted(spans, key=lambda each: (each.first, each.last, each.kind)):

@@ -5,7 +5,7 @@ P(g∣s) > .1). Its stroke may fall on the tag's last word, and, where the tag i
 focus. The rheme is the segment from its first verb on, the focus the most emphasised of its words, the last of equals;
 the paper has both marked by hand.
 
-Our tags are communicative functions, of which nearly every phrase has one, so that P(g∣s) alone is seldom over .1: the
+Our tags are communicative functions, of which nearly every phrase has one, so that P(g∣s) alone is rarely over .1: the
 threshold is on the share of g among the gestures of s, and P(any∣s) weighs the place. It is .02, not .1, by which 15 to
 17 % of a speaker's gestures became others than his (`python -m benchmarks.profiles`; with .02 6 to 10 %). A word that
 shows several tags adds them up, as the counts of learning were shared among them.

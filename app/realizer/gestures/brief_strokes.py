@@ -1,7 +1,7 @@
 """Gestures made smaller and shorter where there is no time for the whole stroke.
 
 The paper does not time-warp strokes and drops a gesture that has no time (§3.8). People whose ideas crowd make less of
-each: here a brief stroke begins nearer to where it ends and is as fast as ever, so that hands have no more to do than
+each: here a brief stroke begins nearer to where it ends and is no faster, so that hands have no more to do than
 in a whole one. How much is left is in `understudy.model.limits.gesture_limits`, by which schedules are made.
 
 A gesture's clip in the manner of the voice: faster or slower, and more or less tense.

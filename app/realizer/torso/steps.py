@@ -1,7 +1,7 @@
 """In long takes people move their feet: where another sentence begins the body steps a little aside, to or fro.
 
 First the weight goes to one leg and the other foot is lifted and put down, then the other way round; in between the
-feet are planted as ever. In short takes nobody steps. Conventions: metres in the world, seconds, radians; the feet's
+feet stay planted. In short takes nobody steps. Conventions: metres in the world, seconds, radians; the feet's
 course is that of `understudy.realizer.torso.balance`.
 """
 

@@ -55,7 +55,7 @@ class Job:
 
 class JobOperator(bpy.types.Operator):
     """An operator with long work: `gather` makes it from the scene, `finish` lays what came of it; both and the work
-    raise ValueError, OSError or PerformingError for what the person can mend, which the info bar shows."""
+    raise ValueError, OSError or PerformingError for what the person can fix, which the info bar shows."""
 
     bl_options = {"REGISTER", "UNDO"}
 
