@@ -1,8 +1,13 @@
 """The errors a user can meet. Each has a stable `code` and a message that says what is wrong, where, and what would be
-right. They are raised where the mistake is found and caught only at the doors (`understudy.cli`, `understudy.api`)."""
+right. They are raised where the mistake is found and caught only at the doors (`understudy.cli`, `understudy.api`).
 
-from collections.abc import Callable, Iterable
+A message on a name that is not known suggests the nearest known ones.
+"""
+
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass
+from difflib import get_close_matches
+from itertools import islice
 from pathlib import Path
 from typing import TypeVar
 
@@ -139,3 +144,18 @@ class WrongBmlError(InputError):
     def __init__(self, code: str, message: str, *, mistakes: tuple[Mistake, ...] = ()) -> None:
         super().__init__(code, message, field="bml")
         self.mistakes = mistakes
+
+
+MOST_COMPARED = 5000
+"""Known names beyond these are not compared: a file may define any number."""
+
+
+def nearest_names(name: str, known: Iterable[str], *, most: int = 1) -> tuple[str, ...]:
+    """The known names that are like `name`, the nearest first, `most` at most."""
+    return tuple(get_close_matches(name[:LONGEST_SHOWN], sorted(islice(known, MOST_COMPARED)), n=most))
+
+
+def did_you_mean(name: str, known: Collection[str], *, most: int = 1, otherwise: str = "") -> str:
+    """The end of a message on an unknown name: a question for the nearest known names, else `otherwise`."""
+    near = nearest_names(name, known, most=most)
+    return f"; did you mean {' or '.join(map(repr, near))}?" if near else otherwise

@@ -16,10 +16,9 @@ from threadpoolctl import threadpool_limits
 
 from .authored_folders import AUTHORED, laid_over, lexicon_folder, rules_folder, tables_of
 from .cache import Cache
-from .errors import InputError, shown
+from .errors import InputError, did_you_mean, shown
 from .on_demand import OnDemand
 from .resources import RULES, resource_folder
-from .suggestions import did_you_mean
 
 if TYPE_CHECKING:
     from .acoustic.stage import AcousticModels

@@ -11,9 +11,8 @@ from pydantic import Field, SecretStr, ValidationError, field_validator
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
 from .authored_folders import layers_of
-from .errors import InputError
+from .errors import InputError, did_you_mean
 from .model.limits.motion_limits import MotionLimits
-from .suggestions import did_you_mean
 
 PREFIX = "UNDERSTUDY_"
 

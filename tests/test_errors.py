@@ -11,7 +11,15 @@ import pytest
 
 from understudy import errors
 from understudy.api.problems import status_of
-from understudy.errors import AuthoringError, Mistake, UnderstudyError, all_loaded
+from understudy.errors import (
+    MOST_COMPARED,
+    AuthoringError,
+    Mistake,
+    UnderstudyError,
+    all_loaded,
+    did_you_mean,
+    nearest_names,
+)
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCUMENTED = dict(re.findall(r"^\| `(\w+)` \| (\w+) \|", (ROOT / "docs/errors.md").read_text(), re.MULTILINE))
@@ -90,3 +98,18 @@ def test_the_mistakes_of_several_files_come_together() -> None:
         all_loaded([partial(_wrong, "a"), partial(_wrong, "b")])
     assert [mistake.path.name for mistake in caught.value.mistakes] == ["a", "b"]
     assert all_loaded([int, int]) == (0, 0)
+
+
+def test_the_nearest_name_is_suggested_and_nothing_where_none_is_near() -> None:
+    assert did_you_mean("negaton", ("affirmation", "negation")) == "; did you mean 'negation'?"
+    assert did_you_mean("zzz", ("affirmation", "negation")) == ""
+    assert did_you_mean("zzz", ("negation",), otherwise="; see rules list") == "; see rules list"
+
+
+def test_several_names_are_suggested_where_asked_for() -> None:
+    assert did_you_mean("nodd", ("nod", "nods", "shake"), most=3) == "; did you mean 'nod' or 'nods'?"
+
+
+def test_a_very_long_name_or_list_costs_no_more() -> None:
+    assert nearest_names("x" * 1_000_000, ("x" * 200,)) == ("x" * 200,)
+    assert nearest_names("near", (f"name{number}" for number in range(MOST_COMPARED * 2)), most=1) == ()

@@ -23,8 +23,8 @@ from ..errors import (
     UndecodableError,
     UnderstudyError,
     UnsupportedFormatError,
+    nearest_names,
 )
-from ..suggestions import nearest_names
 
 MEDIA_TYPE = "application/problem+json"
 LONGEST_DETAIL = 2000

@@ -11,7 +11,7 @@ from pathlib import Path
 from ..authored_folders import lexicon_folder, origin, tables_of
 from ..behavior.characters.overlays import Character, Characters
 from ..behavior.reading.families import Families, FamilyBehavior, family_rule
-from ..errors import InputError
+from ..errors import InputError, did_you_mean
 from ..model import Level
 from ..models import (
     load_characters,
@@ -25,7 +25,6 @@ from ..rules.derivation import FunctionRules
 from ..rules.lexicon import SLOT, LexicalEntry
 from ..rules.mapping import MappingRules
 from ..rules.program.program import Mention, Rule
-from ..suggestions import did_you_mean
 from ..yaml_files import Source, entry_source
 
 __all__ = ["Catalogue", "Character", "Item", "Kind", "load_characters", "load_families", "load_gestures"]

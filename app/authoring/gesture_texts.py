@@ -7,7 +7,7 @@ Plays one gesture that is not in the library yet, alone and from rest to rest, a
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from ..errors import AuthoringError, InputError, Mistake
+from ..errors import AuthoringError, InputError, Mistake, did_you_mean
 from ..model import Behavior, Channel, Hand, Level, Schedule, SyncPoints
 from ..model.figure import PLAIN_MANNER, Manner
 from ..realization import PreparedSchedule
@@ -17,7 +17,6 @@ from ..realizer.gestures.clips import clip
 from ..realizer.gestures.gesture import Definition
 from ..realizer.gestures.library import Library, parse_definitions
 from ..realizer.realizing import Realizer
-from ..suggestions import did_you_mean
 
 NAME = Path("gesture")
 """The name in messages of a text without a file."""

@@ -11,7 +11,7 @@ from itertools import pairwise
 from math import inf
 
 from ..behavior.reading.decoding import usual_times_s
-from ..errors import InputError
+from ..errors import InputError, did_you_mean
 from ..model import Analysis, Behavior, Fact, Function, Interval, Level, Moment, Utterance
 from ..model.schedule import DEFAULT_CHARACTER
 from ..models import BehaviorModels, LanguageModels, Understudy, load_function_rules, load_realizer
@@ -26,7 +26,6 @@ from ..rules.lexicon import LexicalEntry
 from ..rules.mapping import MappingRules
 from ..rules.program.program import Program, Rule
 from ..rules.stage import find_functions
-from ..suggestions import did_you_mean
 from ..transcript import read_transcript
 
 __all__ = [

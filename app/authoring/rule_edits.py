@@ -14,11 +14,10 @@ from tempfile import TemporaryDirectory
 
 from ..authored_folders import AUTHORED, lexicon_folder, rules_folder
 from ..behavior.candidates.vocabulary import BANNABLE
-from ..errors import AuthoringError, InputError, Mistake, collected, shown
+from ..errors import AuthoringError, InputError, Mistake, collected, did_you_mean, shown
 from ..models import Understudy
 from ..rules.derivation import FunctionRules
 from ..rules.mapping import MappingRules
-from ..suggestions import did_you_mean
 from .proofreading import refuse_unread_words
 
 Edits = Mapping[str, str]

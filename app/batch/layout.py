@@ -5,8 +5,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-from ..errors import InputError
-from ..suggestions import did_you_mean
+from ..errors import InputError, did_you_mean
 from .model import Take
 from .work.formats import OutputFormat, extension_of
 from .work.jobs import Target

@@ -12,10 +12,10 @@ from ..behavior.characters.overlays import Character
 from ..behavior.table.behavior_table import STROKED, BehaviorEntry
 from ..behavior.timing.anchoring import asked
 from ..behavior.timing.phases import Placing, Window, placed, soonest, underway
+from ..errors import did_you_mean
 from ..model import Behavior, Channel, Hand, Movement, Notice, SyncPoints, Word
 from ..model.edits import BehaviorEdit
 from ..model.limits.gesture_limits import Forms
-from ..suggestions import did_you_mean
 
 PRIORITY = 10.0
 """As high as that of the most important moment of a plan."""

@@ -8,8 +8,7 @@ from typing import Annotated, Self
 
 from pydantic import Field
 
-from ..errors import AuthoringError, Mistake
-from ..suggestions import did_you_mean
+from ..errors import AuthoringError, Mistake, did_you_mean
 from ..yaml_files import Entry, Source
 
 FILE = "live.yaml"

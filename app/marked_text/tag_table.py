@@ -5,9 +5,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Self
 
-from ..errors import AuthoringError, Mistake
+from ..errors import AuthoringError, Mistake, did_you_mean
 from ..model import PLAIN
-from ..suggestions import did_you_mean
 from ..yaml_files import Entry, Source
 
 FILE = "tags.yaml"

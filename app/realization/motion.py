@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from ..behavior.speech.phrasing import emphases_s, phrases
+from ..errors import did_you_mean
 from ..model import Behavior, Channel, Notice, Performance, Schedule
 from ..realizer.body.motion import Motion
 from ..realizer.gestures.library import LAST_RESORT
 from ..realizer.realizing import Realizer, realize
-from ..suggestions import did_you_mean
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -14,9 +14,8 @@ from typing import Annotated, TypeAlias
 
 from pydantic import ConfigDict, Field, RootModel
 
-from ..errors import LONGEST_SHOWN, Mistake
+from ..errors import LONGEST_SHOWN, Mistake, did_you_mean
 from ..model import Fact, Function
-from ..suggestions import did_you_mean
 from ..yaml_files import Entry, Source
 from .lexicon import LexicalEntry
 from .program.program import Rule

@@ -10,9 +10,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..errors import InputError, shown
+from ..errors import InputError, did_you_mean, shown
 from ..model import Level
-from ..suggestions import did_you_mean
 
 COLUMNS = ("file", "speaker", "agitation")
 MOST_ROWS = 20_000

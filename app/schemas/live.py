@@ -7,14 +7,13 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field
 
-from ..errors import InputError, UndecodableError, UnderstudyError, shown
+from ..errors import InputError, UndecodableError, UnderstudyError, did_you_mean, shown
 from ..live.body import BodyFrame
 from ..live.messages import LiveMessage, LiveOptions, MouthMessage, PhraseMessage, WithdrawalMessage
 from ..live.words import TimedText
 from ..model import Behavior, FloatArray, Interval
 from ..option_table import PERFORMANCE
 from ..realizer.body.motion import SHAPES
-from ..suggestions import did_you_mean
 from .options import Seed, field_of
 from .requests import checked, read_object
 

@@ -16,11 +16,10 @@ from typing import Annotated, Any, TypeVar
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic_core import ErrorDetails
 
-from ..errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError, shown
+from ..errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError, did_you_mean, shown
 from ..marked_text.reading import read_marked
 from ..model import Direction, GivenFunction, Line, Timings
 from ..models import load_tag_table
-from ..suggestions import did_you_mean
 
 _ALLOWED = re.compile(r"'([^']*)'")
 Checked = TypeVar("Checked", bound=BaseModel)

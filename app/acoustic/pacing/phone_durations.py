@@ -10,10 +10,9 @@ from typing import Annotated, Self
 
 from pydantic import Field, RootModel
 
-from ...errors import AuthoringError, Mistake
+from ...errors import AuthoringError, Mistake, did_you_mean
 from ...model import Interval, Phone, Word
 from ...model.tables.mouth_shapes import PHONES
-from ...suggestions import did_you_mean
 from ...yaml_files import Source
 
 FILE = "phone_durations.yaml"

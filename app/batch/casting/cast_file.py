@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from pydantic import Field, RootModel
 
-from ...errors import AuthoringError, InputError, Mistake
+from ...errors import AuthoringError, InputError, Mistake, did_you_mean
 from ...model import AffectTrack, Level, Target
 from ...model.targets import targets_of
 from ...model.voice.signal import SpeakerReference
@@ -16,7 +16,6 @@ from ...profiles.profile import Profile
 from ...schemas.affect import affect_track, read_affect_track
 from ...schemas.options import Positions
 from ...schemas.references import read_reference
-from ...suggestions import did_you_mean
 from ...yaml_files import Entry, Source
 
 EVERYONE_ELSE = "*"

@@ -8,11 +8,11 @@ import unicodedata
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from ...errors import did_you_mean
 from ...model import Target
 from ...option_table import MOST_LISTENERS
 from ...options import Options
 from ...profiles.profile import Profile
-from ...suggestions import did_you_mean
 from ..model import ScriptLine, Take
 from .cast_file import Cast, Part, folded
 

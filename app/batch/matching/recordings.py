@@ -13,8 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Self
 
-from ...errors import InputError
-from ...suggestions import did_you_mean
+from ...errors import InputError, did_you_mean
 from ..compressed import is_compressed
 from ..model import ScriptLine
 

@@ -9,8 +9,7 @@ from types import MappingProxyType
 from pydantic import RootModel
 
 from ...authored_folders import lexicon_folder
-from ...errors import AuthoringError, InputError
-from ...suggestions import did_you_mean
+from ...errors import AuthoringError, InputError, did_you_mean
 from ...yaml_files import Source
 
 FIELDS = (

@@ -13,8 +13,7 @@ from zipfile import BadZipFile, ZipFile
 from openpyxl import load_workbook
 from openpyxl.utils.exceptions import InvalidFileException
 
-from ...errors import InputError, TooLargeError, UndecodableError
-from ...suggestions import did_you_mean
+from ...errors import InputError, TooLargeError, UndecodableError, did_you_mean
 from ..model import Script, ScriptLine
 from .columns import ColumnNames, folded
 from .sheets import ROWS_BEFORE_HEADINGS, heading_place, read_sheet, within_limits, without_doubles

@@ -6,11 +6,10 @@ from collections.abc import Sequence
 from enum import StrEnum
 from pathlib import PurePosixPath
 
-from ...errors import InputError
+from ...errors import InputError, did_you_mean
 from ...library.motion_checks import require_writer
 from ...model.formats.motion_formats import PICTURES, MotionFormat
 from ...settings import Settings
-from ...suggestions import did_you_mean
 
 
 class LineFormat(StrEnum):

@@ -14,7 +14,7 @@ from typing import Annotated
 
 from pydantic import Field, RootModel
 
-from ...errors import AuthoringError
+from ...errors import AuthoringError, did_you_mean
 from ...model import (
     Affect,
     Alternative,
@@ -27,7 +27,6 @@ from ...model import (
     Tone,
     Utterance,
 )
-from ...suggestions import did_you_mean
 from ...yaml_files import Entry, Source
 from ..reading.player import Player
 

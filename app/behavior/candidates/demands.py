@@ -9,9 +9,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
 
-from ...errors import InputError, shown
+from ...errors import InputError, did_you_mean, shown
 from ...model import Alternative, BehaviorCandidates, Channel, Demand, Moment, Movement, Term
-from ...suggestions import did_you_mean
 from ..reading.decoding import STROKES_APART_S
 from ..reading.families import Families, Playable, family_rule
 from ..reading.player import Ban, Player

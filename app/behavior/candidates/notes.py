@@ -9,9 +9,8 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, compress
 
-from ...errors import InputError, shown
+from ...errors import InputError, did_you_mean, shown
 from ...model import Avoidance, Behavior, Channel, DirectedMoment, Direction, Moment, Notice, Rejected, Term
-from ...suggestions import did_you_mean
 from .vocabulary import ANYTHING, AVOIDABLE, HANDS, KINDS, NEUTRAL, STILL
 
 FIELD = "direction"

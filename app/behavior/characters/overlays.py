@@ -15,10 +15,9 @@ from typing import Annotated, Literal, TypeVar
 
 from pydantic import BeforeValidator, Field
 
-from ...errors import AuthoringError, InputError, Mistake, collected, shown
+from ...errors import AuthoringError, InputError, Mistake, collected, did_you_mean, shown
 from ...model import Channel, Hand
 from ...model.figure import AVERAGE_HEIGHT_M, PLAIN, Figure, Hair, Legwear, Looks, Manner, Physique, Sex
-from ...suggestions import did_you_mean
 from ...yaml_files import Entry, Source
 from ..candidates.vocabulary import BANNABLE
 from ..idle.saccades import TALKING

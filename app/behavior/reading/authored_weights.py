@@ -14,8 +14,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from ...errors import AuthoringError
-from ...suggestions import did_you_mean
+from ...errors import AuthoringError, did_you_mean
 from ...yaml_files import Entry, Source
 from .terms import HEARD_TERMS
 

@@ -16,9 +16,8 @@ from typing import Annotated, Protocol
 from pydantic import BeforeValidator, Field
 
 from ...authored_folders import tables_of
-from ...errors import AuthoringError, Mistake
+from ...errors import AuthoringError, Mistake, did_you_mean
 from ...model import Channel, Level
-from ...suggestions import did_you_mean
 from ...yaml_files import Entry, Source
 
 OTHER_FAMILY = 0.5

@@ -11,9 +11,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from ...errors import AuthoringError
+from ...errors import AuthoringError, did_you_mean
 from ...model import Term, Token
-from ...suggestions import did_you_mean
 from ...yaml_files import Entry, Source
 
 MIME_LOG_ODDS = 1.0

@@ -15,9 +15,8 @@ from typing import Annotated, TypeAlias
 
 from pydantic import Field
 
-from ...errors import AuthoringError
+from ...errors import AuthoringError, did_you_mean
 from ...model import Function, Level, Token, Tone, Utterance
-from ...suggestions import did_you_mean
 from ...yaml_files import Entry, Source
 
 HEARD_TERMS = frozenset(

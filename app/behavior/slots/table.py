@@ -8,9 +8,8 @@ from typing import Annotated, TypeVar
 
 from pydantic import Field
 
-from ...errors import AuthoringError, Mistake
+from ...errors import AuthoringError, Mistake, did_you_mean
 from ...model.slots import Distance, Height, Side, Size, Slots, Which
-from ...suggestions import did_you_mean
 from ...yaml_files import Entry, Source
 from .patterns import Element, read_pattern
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from operator import itemgetter
 
-from ...suggestions import nearest_names
+from ...errors import nearest_names
 from .documents import Element, Place, Reference, Value
 from .elements import CORE, Dialect, ElementKind
 from .values import value_of

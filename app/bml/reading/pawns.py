@@ -10,10 +10,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import count
 
-from ...errors import InputError, WrongBmlError, shown
+from ...errors import InputError, WrongBmlError, did_you_mean, shown
 from ...model import Behavior, Channel, Target
 from ...model.targets import FARTHEST_M, LISTENER, check_targets, read_target
-from ...suggestions import did_you_mean
 from ..markup.documents import Element
 from ..markup.elements import OURS
 

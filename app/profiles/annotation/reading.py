@@ -4,8 +4,7 @@ from collections import deque
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from pathlib import Path
 
-from ...errors import UnsupportedFormatError
-from ...suggestions import did_you_mean
+from ...errors import UnsupportedFormatError, did_you_mean
 from ..segments import segments_of
 from .anvil import read_anvil
 from .elan import read_elan

@@ -7,8 +7,8 @@ from enum import StrEnum
 from pathlib import Path
 from typing import TypeVar
 
+from ...errors import did_you_mean
 from ...model import Hand, Interval, Word
-from ...suggestions import did_you_mean
 from ..segments import time_of
 from .in_time import InTime
 from .mistakes import AnnotationMistake

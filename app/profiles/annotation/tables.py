@@ -14,7 +14,7 @@ from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
-from ...suggestions import did_you_mean
+from ...errors import did_you_mean
 from .file_text import decoded
 from .mistakes import AnnotationError, AnnotationMistake
 from .tracks import LABELS, PHRASE_ATTRIBUTES, Span, Track, track_name, track_of

@@ -9,9 +9,8 @@ from typing import Annotated
 
 from pydantic import BeforeValidator, Field
 
-from ...errors import AuthoringError
+from ...errors import AuthoringError, did_you_mean
 from ...model import Hand
-from ...suggestions import did_you_mean
 from ...yaml_files import Entry, Source
 from ..annotation.model import PathForm, Position, Swivel
 from ..annotation.spans import DEPTHS, HEIGHTS, RESTS, SIDEWAYS

@@ -14,9 +14,8 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import Field, model_validator
 
-from ...errors import AuthoringError, Mistake
+from ...errors import AuthoringError, Mistake, did_you_mean
 from ...model import FloatArray
-from ...suggestions import did_you_mean
 from ...yaml_files import Entry, Source
 from ..body.motion import SHAPES
 

@@ -13,8 +13,7 @@ from types import MappingProxyType
 
 from lark import Lark, Token, Tree, UnexpectedInput, UnexpectedToken
 
-from ...errors import Mistake
-from ...suggestions import nearest_names
+from ...errors import Mistake, nearest_names
 from .statements import OTHER, FrameTree, GestureFile, GestureTree, LocatedMistake, Statement, Word, mistake_in
 
 HEADER: Mapping[str, str] = MappingProxyType(

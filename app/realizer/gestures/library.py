@@ -13,10 +13,9 @@ from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
 
-from ...errors import AuthoringError, InputError, Mistake
+from ...errors import AuthoringError, InputError, Mistake, did_you_mean
 from ...model import Hand, Level
 from ...model.figure import Manner
-from ...suggestions import did_you_mean
 from ...yaml_files import Entry, Source
 from .checking import duplicate_names
 from .clips import clip

@@ -9,8 +9,8 @@ from enum import StrEnum
 from itertools import product
 from typing import TypeVar
 
+from ...errors import nearest_names
 from ...model import Hand
-from ...suggestions import nearest_names
 from .arm_joints import arm_joints
 from .gesture import (
     ArmKey,

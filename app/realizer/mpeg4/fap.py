@@ -13,9 +13,8 @@ from types import MappingProxyType
 import numpy as np
 from pydantic import RootModel
 
-from ...errors import AuthoringError
+from ...errors import AuthoringError, did_you_mean
 from ...model import FloatArray
-from ...suggestions import did_you_mean
 from ...yaml_files import Source
 from ..body.motion import SHAPES, Motion
 from ..body.skeleton import Skeleton

@@ -9,7 +9,7 @@ from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from ...suggestions import did_you_mean
+from ...errors import did_you_mean
 from ..language.arithmetic import BUILTINS, is_ordering
 from ..language.tree import (
     NEVER,

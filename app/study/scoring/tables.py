@@ -11,8 +11,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from ...errors import InputError, UndecodableError, shown
-from ...suggestions import did_you_mean
+from ...errors import InputError, UndecodableError, did_you_mean, shown
 
 LARGEST_BYTES = 64 << 20
 
