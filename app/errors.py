@@ -6,7 +6,6 @@ A message on a name that is not known suggests the nearest known ones.
 
 from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass
-from difflib import get_close_matches
 from itertools import islice
 from pathlib import Path
 from typing import TypeVar
@@ -152,6 +151,8 @@ MOST_COMPARED = 5000
 
 def nearest_names(name: str, known: Iterable[str], *, most: int = 1) -> tuple[str, ...]:
     """The known names that are like `name`, the nearest first, `most` at most."""
+    from difflib import get_close_matches  # imported late: only mistakes need it
+
     return tuple(get_close_matches(name[:LONGEST_SHOWN], sorted(islice(known, MOST_COMPARED)), n=most))
 
 

@@ -6,11 +6,9 @@ The key of a study tells what each clip shows. It stays with the experimenter; r
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
-from pathlib import Path
 from types import MappingProxyType
 
 from ..model import Mode
-from ..options import Options
 
 UNITS, SINGLETONS = "U", "S"
 """Gestures joined to units, and each gesture back at rest before the next."""
@@ -50,34 +48,6 @@ class Choice(StrEnum):
     BEST = "best"
     WORST = "worst"
     NEITHER = ""
-
-
-PAGE_FOLDER = "page"
-"""Under the output folder: what raters get."""
-
-
-@dataclass(frozen=True, slots=True)
-class Source:
-    """Where lines are read: a script or a folder, the folder of a script's recordings (None: that it lies in), and
-    where the study is written."""
-
-    lines: Path
-    audio: Path | None
-    out: Path
-
-
-@dataclass(frozen=True, slots=True)
-class StudyRequest:
-    """What is compared on which lines, how they are performed, and the seed of codes and orders, which is also that of
-    the performances."""
-
-    source: Source
-    comparison: Comparison
-    options: Options
-
-    @property
-    def seed(self) -> int:
-        return self.options.seed
 
 
 KEY_NAME = "key.csv"

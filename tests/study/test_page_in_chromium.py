@@ -11,8 +11,9 @@ from tests.studio.waiting import wait_until
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.resources import resource_folder
-from understudy.study.comparison import DIMENSIONS, Comparison, Source, StudyRequest
+from understudy.study.comparison import DIMENSIONS, Comparison
 from understudy.study.making.making import make_study
+from understudy.study.request import Source, StudyRequest
 from understudy.study.scoring.reading import read_answers, read_key
 
 __all__ = ["browser"]

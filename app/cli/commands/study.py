@@ -12,7 +12,8 @@ from ...model import Notice
 from ...options import Options
 from ...profiles.profile import Profile
 from ...settings import read_settings
-from ...study.comparison import KEY_NAME, PAGE_FOLDER, Comparison, Source, StudyRequest
+from ...study.comparison import KEY_NAME, Comparison
+from ...study.request import PAGE_FOLDER, Source, StudyRequest
 from ..files import require_writable, write, write_standard
 from ..inputs.options import optional_profile
 from ..log import Log

@@ -12,7 +12,7 @@ from ...batch.work.jobs import LineJob
 from ...errors import InputError
 from ...model import Line
 from ...options import Options
-from ..comparison import Source
+from ..request import Source
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,8 @@ from ...errors import InputError
 from ...library.motion import PreparedSchedule, Realized
 from ...model import Behavior, Channel, Notice
 from ...models import Understudy
-from ..comparison import CONDITIONS, KEY_COLUMNS, KEY_NAME, PAGE_FOLDER, Comparison, StudyRequest
+from ..comparison import CONDITIONS, KEY_COLUMNS, KEY_NAME, Comparison
+from ..request import PAGE_FOLDER, StudyRequest
 from .clips import blind_clip, blind_sound, body_of, realized
 from .lines import StudyLine, read_lines
 from .singletons import in_modes, in_units_and_singly

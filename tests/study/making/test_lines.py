@@ -7,8 +7,8 @@ import pytest
 from understudy.errors import InputError
 from understudy.options import Options
 from understudy.resources import resource_folder
-from understudy.study.comparison import Source
 from understudy.study.making.lines import read_lines
+from understudy.study.request import Source
 
 AUDIO = (resource_folder("examples") / "example.flac").read_bytes()
 
