@@ -13,7 +13,8 @@ from understudy.realizer.body.skeleton import SIDES, Skeleton, forward
 from understudy.realizer.geometry.rotations import angle_between
 from understudy.realizer.physics.course import course_of
 from understudy.realizer.physics.physical_body import physical_body
-from understudy.realizer.physics.tracking import Simulated, require_physics, simulate, with_physics
+from understudy.realizer.physics.simulation import Simulated, simulate
+from understudy.realizer.physics.tracking import require_physics, with_physics
 
 from .bodies import RATE_HZ, still_body, striking_body
 
