@@ -1,4 +1,4 @@
-"""Tests."""
+"""What listeners do, and how often people do it."""
 
 from itertools import pairwise
 from pathlib import Path

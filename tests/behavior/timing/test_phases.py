@@ -1,4 +1,4 @@
-"""Tests."""
+"""Phases around the moment that a behaviour is about, and the manner that the voice has there."""
 
 from dataclasses import replace
 

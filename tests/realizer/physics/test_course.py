@@ -1,4 +1,4 @@
-"""Tests."""
+"""What servos are asked for: places in every step, and the torques that bear a pose."""
 
 import numpy as np
 import pytest
