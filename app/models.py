@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from .behavior.characters.overlays import Characters
     from .behavior.listeners.listening import HeadRates
     from .behavior.reading.families import Families
-    from .behavior.reading.planning import Planner
+    from .behavior.reading.planner import Planner
     from .behavior.slots.table import SlotTable
     from .marked_text.tag_table import TagTable
     from .model import Tone
@@ -137,7 +137,7 @@ class BehaviorModels:
         from .behavior.candidates.attitudes import load_attitudes
         from .behavior.characters.gesture_forms import FormedCharacters
         from .behavior.listeners.listening import HeadRates
-        from .behavior.reading.planning import Planner
+        from .behavior.reading.planner import Planner
 
         lexicon = lexicon_folder()
         characters = load_characters()

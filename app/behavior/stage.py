@@ -44,7 +44,8 @@ from .choice.scheduling import numbered, schedule
 from .listeners.addressees import addressed, placed_listeners
 from .listeners.listening import HeadRates, Listener, listen
 from .reading.families import Families
-from .reading.planning import Plan, Planner, Understood, meanings, plan, times_s_of
+from .reading.planner import Planner
+from .reading.planning import Plan, Understood, meanings, plan, times_s_of
 from .reading.player import Ban, Player, banned
 from .reading.supports import supports_of
 from .slots.gestures import with_slots

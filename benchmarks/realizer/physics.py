@@ -29,7 +29,8 @@ from understudy.realizer.body.skeleton import SIDES, Skeleton, forward
 from understudy.realizer.geometry.rotations import angle_between
 from understudy.realizer.physics.course import course_of
 from understudy.realizer.physics.physical_body import physical_body
-from understudy.realizer.physics.tracking import simulate, with_physics
+from understudy.realizer.physics.simulation import simulate
+from understudy.realizer.physics.tracking import with_physics
 from understudy.settings import Settings
 
 RATE_HZ = 60

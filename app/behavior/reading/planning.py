@@ -10,15 +10,12 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import accumulate, chain
 from math import exp, log
-from pathlib import Path
-from types import MappingProxyType
 from typing import TypeAlias
 
 import numpy as np
 
 from ...model import BehaviorCandidates, Channel, Function, Moment, Rejected, SingleArray, Term, Utterance
-from .authored_weights import TermNames, load_weights
-from .choice_model import ChoiceModel, log_odds_of, worth_of
+from .choice_model import log_odds_of, worth_of
 from .decoding import (
     NEAR,
     USUAL_WORD_S,
@@ -32,14 +29,15 @@ from .decoding import (
     usual_times_s,
 )
 from .delivery import Delivery
-from .encoder import Encoder, Reading
-from .families import Families, FamilyBehavior, merged
+from .encoder import Reading
+from .families import FamilyBehavior
 from .kinds import KindWorths, kind_supports, kind_worths
-from .mimes import Mime, MimeTable, mimes_in
+from .mimes import Mime, mimes_in
 from .parallels import CONTRAST, Ground, PlacedStroke, parallel_strokes, placed_strokes, with_placed
+from .planner import Planner
 from .player import Player
 from .supports import Support, supports_of
-from .terms import Fact, TermTable, terms_of
+from .terms import Fact, terms_of
 from .worths import (
     LineWorths,
     after_what_was_shown,
@@ -48,7 +46,6 @@ from .worths import (
     focus_of,
     kinds_added,
     lexeme_worth,
-    shown_by_lexemes,
     summed,
 )
 
@@ -80,54 +77,6 @@ MIMED = "emblem_other"
 FAMILIES_TOLD = 4
 TERMS_TOLD = 6
 REJECTED_TOLD = 3
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Planner:
-    """The models of planning, loaded once: the encoder, the weights, how much each lexeme shows each family (L, F) with
-    the lexemes' names, the lemmas without which a family cannot be shown (mimes: "drink", "phone"), and which verb is
-    shown by which mime."""
-
-    encoder: Encoder
-    choice: ChoiceModel
-    lexemes: Mapping[str, int]
-    shown: SingleArray
-    needed_lemmas: Mapping[str, frozenset[str]]
-    mimes: MimeTable
-    terms: TermTable
-    kind_weights: Mapping[str, Mapping[str, float]]
-
-    @classmethod
-    def load(
-        cls,
-        folders: tuple[Path, Path],
-        families: Families,
-        predicates: Mapping[str, int],
-        classes: Mapping[str, Collection[str]],
-    ) -> "Planner":
-        """Loads from the `folders` models/acting and lexicon/acting; `predicates` are those of the rules with their
-        numbers of arguments, `classes` those of functions with their subtypes.
-
-        Raises ServiceError `model_unreadable`, and AuthoringError for the weights and terms of authors.
-        """
-        models, lexicon = folders
-        choice = ChoiceModel.load(models / "weights.json")
-        table = TermTable.load(lexicon / "terms.yaml", predicates)
-        names = TermNames.of(choice.terms, table.names.values(), classes)
-        kinds = (*choice.head, *choice.face)
-        authored = load_weights(lexicon / "weights.yaml", choice.families, names, kinds)
-        return cls(
-            encoder=Encoder.load(models / "encoder.onnx"),
-            choice=choice.with_weights(authored),
-            lexemes=MappingProxyType({lexeme: column for column, lexeme in enumerate(families.shows)}),
-            shown=shown_by_lexemes(families.shows, choice.families),
-            needed_lemmas=MappingProxyType(dict(_needed_lemmas(families))),
-            mimes=MimeTable.load(lexicon / "mimes.yaml", families.gesture_names),
-            terms=table,
-            kind_weights=MappingProxyType(
-                {term: {kind: by[kind] for kind in kinds if by.get(kind)} for term, by in authored.items()}
-            ),
-        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -310,12 +259,6 @@ def _possible(planner: Planner, utterance: Utterance, mimes: Iterable[Mime]) -> 
         place = planner.choice.families.index(MIMED)
         possible[max(0, mime.first - NEAR) : mime.last + NEAR + 1, place] = 1.0
     return possible
-
-
-def _needed_lemmas(families: Families) -> Iterator[tuple[str, frozenset[str]]]:
-    for family, behaviors in families.gesture.items():
-        if all(behavior.lemmas for behavior in behaviors):
-            yield merged(family), frozenset[str]().union(*(behavior.lemmas for behavior in behaviors))
 
 
 def _gestures(worths: LineWorths, utterance: Utterance, taken: Sequence[int], ground: Ground) -> Iterator[Moment]:
