@@ -28,10 +28,11 @@ from ..timing.anchoring import PlacedBehavior, asked, interval_of, placed_idle
 from ..timing.conflicts import Fitted, Kept, fitted, resolve
 from ..timing.time_index import KeptByTime
 from ..timing.transitions import eased
-from .attempts import BLINK, Line, needed
+from .attempts import Line
 from .choosing import choose
 from .filling import Rest, fillers
 from .hands import with_hand
+from .necessity import BLINK, needed
 
 PLANNED_MORE = 1.6
 """Ideas crowd in some lines and are absent from others: a planned line may have this many times the usual gestures."""
