@@ -32,13 +32,13 @@ from .head_and_gaze.gaze_targets import LISTENER, LISTENER_M, Position
 from .head_and_gaze.head import apply_head_movements
 from .head_and_gaze.head_movements import realized_heads
 from .physics.tracking import with_physics
+from .scheduling.deviations import timing_deviations, unplayable_behaviors
 from .scheduling.gesture_controller import accents_of, apply_gestures
 from .scheduling.planning import plan_gestures
-from .scheduling.unplayable import timing_deviations, unplayable_behaviors
 from .torso.aimed_arms import with_aimed_arms
 from .torso.hanging import with_hanging_arms
 from .torso.idle import idle_motion
-from .torso.shrugs import with_neck_reaching, with_shrugs
+from .torso.shoulders_and_neck import with_neck_reaching, with_shrugs
 from .torso.steps import with_steps
 
 _DECIMALS = 6

@@ -105,7 +105,7 @@ class Stages:
         )
 
     def candidates(self, utterance: Utterance, known: Understanding, seed: int) -> tuple[BehaviorCandidates, ...]:
-        """What could show the functions and the moments planned, as in `understudy.moving.move`."""
+        """What could show the functions and the moments planned, as in `understudy.performance.perform_behaviors`."""
         offers = offer_movements(self.mapping, utterance, known.functions, seed=seed, facts=known.facts)
         who = Player(self.behavior.families, self.character.entries, seed, self.character.liveliness)
         planned = plan(self.behavior.planner, Understood(utterance, known.functions, known.facts, offers), who)

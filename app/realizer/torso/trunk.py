@@ -1,15 +1,15 @@
-"""The trunk follows the gestures: it turns and leans towards the hands, and the weight shifts along.
+"""The trunk follows the gestures: it turns and leans towards the hands, the weight shifts along, and with each stroke
+the knees give way, the trunk bows and twists, and its shoulders tip.
 
 Towards Natural Gesture Synthesis (§3.4) puts body rotation on tracks with an offset and moves the wrist targets with
 the body. Here a few degrees and centimetres derived from the wrists are added to the trunk's motion, low-pass filtered
 and slightly ahead of the hands, since larger masses move first.
 
-Conventions: radians, metres; wrists in the hips' space of the upright body (x to the own side, y up, z away).
+Its part in strokes is Lasseter's principle that movement starts at the body's middle: it sets out before the hand and
+strikes with it.
 
-The trunk's part in strokes: with each one the knees give way, the trunk bows and twists, its shoulders tip.
-
-Lasseter's principle that movement starts at the body's middle: the trunk sets out before the hand and strikes with it.
-Conventions: seconds, metres, radians; a rotation vector leans forward, turns to the left, tips to the right.
+Conventions: radians, metres, seconds; wrists in the hips' space of the upright body (x to the own side, y up, z
+away); a rotation vector leans forward, turns to the left, tips to the right.
 """
 
 from collections.abc import Mapping, Sequence

@@ -1,12 +1,10 @@
-"""A shrug lifts the shoulders: both collarbones rise with the gestures that say who knows, and sink as they relax.
+"""Shoulders that shrug and a neck that reaches forward, between a trunk and arms and head that are placed already.
 
-The arms keep their orientation, so that hands rise with the shoulders and stay as they are turned. Conventions:
-radians, seconds; a raised left collarbone turns about z, the right one the other way.
+Both collarbones rise with the gestures that say who knows, and sink as they relax; the arms keep their orientation, so
+that hands rise with the shoulders and stay as they are turned. The neck is inclined in standing, nods along with
+strokes, and is never quite still; the head keeps its orientation, so gaze and head movements remain what they are.
 
-How far the neck reaches forward: it is inclined in standing, nods along with strokes, and is never quite still.
-
-The head keeps its orientation, so gaze and head movements remain what they are: only its place changes. Conventions:
-radians, forward positive.
+Conventions: radians, seconds; a raised left collarbone turns about z, the right one the other way; forward is positive.
 """
 
 from collections.abc import Iterable, Mapping

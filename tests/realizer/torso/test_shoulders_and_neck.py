@@ -17,7 +17,7 @@ from understudy.realizer.gestures.library import Library
 from understudy.realizer.scheduling.gesture_controller import apply_gestures
 from understudy.realizer.scheduling.planning import plan_gestures
 from understudy.realizer.torso.idle import idle_motion
-from understudy.realizer.torso.shrugs import LIFTS_DEG, with_neck_reaching, with_shrugs
+from understudy.realizer.torso.shoulders_and_neck import LIFTS_DEG, with_neck_reaching, with_shrugs
 
 LIBRARY = Library.load(Path(__file__).resolve().parents[3] / "lexicon" / "gestures")
 

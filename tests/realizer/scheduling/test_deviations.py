@@ -8,7 +8,7 @@ from understudy.model import Behavior, Channel, Hand, Schedule, SyncPoints
 from understudy.models import load_realizer
 from understudy.realizer.body.motion import Decision
 from understudy.realizer.realizing import realize
-from understudy.realizer.scheduling.unplayable import timing_deviations, unplayable_behaviors
+from understudy.realizer.scheduling.deviations import timing_deviations, unplayable_behaviors
 from understudy.resources import resource_folder
 
 

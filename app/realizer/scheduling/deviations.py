@@ -1,8 +1,7 @@
-"""Reports behaviours that no controller can play as scheduled: unknown movements, unknown targets, too little time.
+"""Reports what is played otherwise than the schedule asks: behaviours that no controller can play as they are (unknown
+movements, unknown targets, too little time), and those that are played at other times.
 
-Reports behaviours that are played at other times than the schedule asks for.
-
-Of what a document states, each sync point is looked at. Of a schedule of ours start and end are, and what a decision
+Of what a document states, each sync point is compared. Of a schedule of ours start and end are, and what a decision
 tells already, a blend or a longer hold, is not told twice.
 """
 
