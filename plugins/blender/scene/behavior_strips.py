@@ -15,7 +15,7 @@ import numpy as np
 from ..schedule.behaviors import Behavior
 from ..schedule.bml_document import StripChange
 from .actions import Curve, curves_of, mark, new_action
-from .layers import OWNER, PREFIX, belongs_to, lay_strip
+from .layers import OWNER, PREFIX, belongs_to, lay_strip, our_tracks
 
 _BEHAVIOR = "understudy_behavior"
 _START, _LENGTH = "understudy_start", "understudy_length"
@@ -43,8 +43,7 @@ def lay_behaviors(
         start_frame = floor(zero_frame + behavior.start_s * rate_hz)
         action = _action(armature, behavior, performance, _Clock(zero_frame - start_frame, rate_hz))
         action[_START], action[_LENGTH] = start_frame, action.frame_end
-        strip = lay_strip(armature, f"{PREFIX} BML {kind}", action, start_frame, behavior.label)
-        strip.extrapolation = "NOTHING"
+        _lay(armature, behavior, action)
 
 
 def strips_of(armature: Any, performance: str) -> list[BehaviorStrip]:
@@ -70,12 +69,20 @@ def changes_of(
     return {change.behavior: change for change in found if change is not None}
 
 
-def put_back(strip: BehaviorStrip) -> None:
-    """Lays a strip where it was laid first, and has it play."""
-    laid, action = strip.strip, strip.strip.action
-    laid.mute = False
-    laid.frame_start_ui = float(action[_START])
-    laid.frame_end_ui = float(action[_START] + action[_LENGTH])
+def put_back(armature: Any, strip: BehaviorStrip) -> None:
+    """Lays a strip where it was laid first, on a track with room there, and has it play: a neighbour on its own track
+    would push it aside."""
+    action = strip.strip.action
+    (track,) = [each for each in our_tracks(armature) if any(other == strip.strip for other in each.strips)]
+    track.strips.remove(strip.strip)
+    if not track.strips:
+        armature.animation_data.nla_tracks.remove(track)
+    _lay(armature, strip.behavior, action)
+
+
+def _lay(armature: Any, behavior: Behavior, action: Any) -> None:
+    strip = lay_strip(armature, f"{PREFIX} BML {behavior.kind}", action, int(action[_START]), behavior.label)
+    strip.extrapolation = "NOTHING"
 
 
 def property_name(kind: str) -> str:

@@ -49,7 +49,7 @@ def clear_notes(armature: Any, record: Any, numbers: Collection[int]) -> None:
     for each in strips_of(armature, record.name):
         note = _note_on(each.behavior, notes, record)
         if note is not None and note.number in numbers:
-            put_back(each)
+            put_back(armature, each)
     keep_notes(record, [note for note in notes if note.number not in numbers])
 
 
