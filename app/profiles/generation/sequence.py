@@ -15,7 +15,6 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from scipy.optimize import brentq
 
 from ...model import FloatArray, Hand
 from ..profile import FIRST, Profile
@@ -194,6 +193,8 @@ def _likeliest_of(chain: _Chain, expected: float) -> list[tuple[int, int]]:
 
 def _weight_for(count: Callable[[float], float], wanted: float) -> float:
     """The log weight of a gesture at which there are as many, or the nearest to it that there is."""
+    from scipy.optimize import brentq  # imported late: only speakers of a profile need it, and it takes .3 s
+
     if wanted <= count(-WIDEST):
         return -WIDEST
     if wanted >= count(WIDEST):
