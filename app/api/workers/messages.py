@@ -62,10 +62,12 @@ class Failed:
 
 @dataclass(frozen=True, slots=True)
 class Start:
-    """To the nursery, first: the settings, and the configuration of `logging.config` (None: no logging)."""
+    """To the nursery, first: the settings, and the configuration of `logging.config` (None: no logging). A renewal
+    takes the place of a nursery that died, and forks before it warms up."""
 
     settings: Settings
     logging: dict[str, Any] | None
+    is_renewal: bool = False
 
 
 @dataclass(frozen=True, slots=True)

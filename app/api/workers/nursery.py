@@ -7,6 +7,7 @@ messages on that socket and ends when it closes. Requires Unix.
 import gc
 import logging.config
 import os
+import select
 import signal
 import socket
 import sys
@@ -42,6 +43,10 @@ from .worker import work
 STEPS = 50
 """The chunks of each half of the bundled line, .07 s each."""
 
+IDLE_S = 1.0
+"""A nursery that takes the place of one that died forks at once, for jobs and streams wait, and warms up when nothing
+has been asked of it for so long. Its first workers load for themselves what is loaded lazily."""
+
 
 def main(control: socket.socket) -> None:
     """Loads everything, then forks and reloads on request, until the socket closes."""
@@ -53,22 +58,31 @@ def main(control: socket.socket) -> None:
     try:
         understudy = Understudy.load(start.settings)
         models = LiveModels.load(understudy)
-        _warm(models)
+        if not start.is_renewal:
+            _warm(models)
     except UnderstudyError as error:
         send(control, Failed(error))
         return
     with suppress(BrokenPipeError):  # the service has ended meanwhile, which the next receive notices
         send(control, Loaded(_library(understudy)))
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # ended workers are reaped by the kernel
-    while True:
-        try:
-            message, _, descriptors = receive(control)
-        except EOFError:
-            return
+    with suppress(EOFError):  # the service has closed its end
+        if start.is_renewal:
+            models = _obey(control, models, idle_s=IDLE_S)
+            _warm(models)
+        _obey(control, models)
+
+
+def _obey(control: socket.socket, models: LiveModels, idle_s: float | None = None) -> LiveModels:
+    """Forks and reloads on request, until nothing was asked for so many seconds; the models then. Raises EOFError when
+    the socket closes."""
+    while select.select([control], [], [], idle_s)[0]:
+        message, _, descriptors = receive(control)
         if isinstance(message, Reload):
             models = _reloaded(control, models)
         elif isinstance(message, Fork):
             _fork(control, models, message, socket.socket(fileno=descriptors[0]))
+    return models
 
 
 def _warm(models: LiveModels) -> None:

@@ -63,7 +63,12 @@ class Nursery:
 
     @classmethod
     def start(
-        cls, settings: Settings, *, logging: dict[str, Any] | None = None, command: Sequence[str] = COMMAND
+        cls,
+        settings: Settings,
+        *,
+        logging: dict[str, Any] | None = None,
+        command: Sequence[str] = COMMAND,
+        is_renewal: bool = False,
     ) -> Self:
         """Starts it and waits until everything is loaded.
 
@@ -81,7 +86,7 @@ class Nursery:
             )
         nursery = cls(process, ours, _Origin(settings, logging, command))
         try:
-            send(ours, Start(settings, logging))
+            send(ours, Start(settings, logging, is_renewal))
             nursery._wait()
         except BaseException:
             nursery.close()
@@ -101,7 +106,7 @@ class Nursery:
         """Closes this nursery and starts a replacement; raises as `start` does."""
         self.close()
         origin = self._origin
-        return Nursery.start(origin.settings, logging=origin.logging, command=origin.command)
+        return Nursery.start(origin.settings, logging=origin.logging, command=origin.command, is_renewal=True)
 
     def fork(self, settings: Settings, *, is_live: bool = False) -> socket.socket:
         """Our end of a new worker's socket, from which `Ready` comes. Raises OSError when the nursery has ended."""

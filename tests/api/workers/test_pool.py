@@ -14,6 +14,7 @@ import pytest
 from tests.support.jobs import LONG, LONG_BML, SHORT, SHORT_TEXT
 from understudy.api.workers.limits import Deadline
 from understudy.api.workers.messages import Answer
+from understudy.api.workers.nursery import IDLE_S
 from understudy.api.workers.pool import JOBS_A_WORKER, Pool
 from understudy.api.workers.processes import Nursery
 from understudy.api.workers.turns import Turns
@@ -121,6 +122,9 @@ def test_a_nursery_that_was_killed_is_renewed_though_nobody_needs_it_and_that_is
             await _until(lambda: pool.nursery is not own)
             await _short(pool)
             assert await pool.trouble() is None
+            await asyncio.sleep(1.5 * IDLE_S)  # so that it warms up, which must not keep it from forking
+            _kill(pool)
+            await _short(pool)
 
     with Nursery.start(Settings()) as own:
         asyncio.run(scenario(own))
