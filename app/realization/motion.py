@@ -73,7 +73,7 @@ def realize_prepared(
 def _unknown_gestures(realizer: Realizer, schedule: Schedule) -> Iterator[Notice]:
     library = realizer.library
     for gesture in _gestures(schedule):
-        if library.nearest(gesture.lexeme) == LAST_RESORT and gesture.lexeme != LAST_RESORT:
+        if library.category_of(gesture.lexeme) is None and library.nearest(gesture.lexeme):
             hint = did_you_mean(gesture.lexeme, library.categories)
             message = f"{gesture.id} is played as a {LAST_RESORT}: no gesture is called {gesture.lexeme!r}{hint}"
             yield Notice("gesture_unknown", message)

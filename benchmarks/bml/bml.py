@@ -6,12 +6,14 @@ document or an InputError. Times are seconds of the processor, the median of `RO
 """
 
 import argparse
+from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 from random import Random
 from statistics import median
 from time import process_time
 
+from benchmarks.figures import add_record_option, record
 from understudy.bml.reading.reader import read_bml
 from understudy.bml.writing.writer import write_bml
 from understudy.errors import InputError
@@ -31,13 +33,20 @@ WRITTEN = Path("written.bml")
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--broken", type=int, default=BROKEN, help="how many broken files are read")
+    add_record_option(parser)
     arguments = parser.parse_args()
     performance = _performance()
     words = len(performance.utterance.words)
     print(f"the bundled line: {words} words, {sum(each.kept for each in performance.behaviors)} behaviours")
-    for form in (BmlForm(dialect, timing) for dialect in DialectName for timing in TimeForm):
-        _time(performance, form)
-    _break(write_bml(performance), arguments.broken)
+    forms = [BmlForm(dialect, timing) for dialect in DialectName for timing in TimeForm]
+    times_s = {form: _times_s(performance, form) for form in forms}
+    untyped = _break(write_bml(performance), arguments.broken)
+    if arguments.record:
+        writing_s, reading_s = times_s[BmlForm()]
+        record("formats", "BML: writing the bundled line", round(writing_s * 1e3, 2), "ms")
+        record("formats", "BML: reading the bundled line", round(reading_s * 1e3, 2), "ms")
+        name = f"BML: broken files that bring an untyped error, of {arguments.broken:,}"
+        record("formats", name, float(untyped), bar="= 0")
     for name, content in _hostile():
         taken_s = _seconds(lambda content=content: _read(content))  # type: ignore[misc]
         print(f"{name:44s} {len(content) / 1e6:5.1f} MB  {_read(content):8s} {taken_s * 1e3:8.1f} ms")
@@ -49,7 +58,8 @@ def _performance() -> Performance:
         return perform(understudy, line, Options())
 
 
-def _time(performance: Performance, form: BmlForm) -> None:
+def _times_s(performance: Performance, form: BmlForm) -> tuple[float, float]:
+    """The times to write and to read a form."""
     content = write_bml(performance, form)
     document, _ = read_bml(content, WRITTEN)
     writing_s = median(_seconds(lambda: write_bml(performance, form)) for _ in range(ROUNDS))
@@ -57,12 +67,16 @@ def _time(performance: Performance, form: BmlForm) -> None:
     same = write_bml(performance, form) == content and document == read_bml(content, WRITTEN)[0]
     told = f"{form.dialect} {form.timing}: {len(content)} bytes"
     print(f"{told:44s} write {writing_s * 1e3:5.2f} ms  read {reading_s * 1e3:5.2f} ms  same again: {same}")
+    return writing_s, reading_s
 
 
-def _break(content: bytes, count: int) -> None:
+def _break(content: bytes, count: int) -> int:
+    """The number of broken files that bring another error than an InputError."""
     random = Random(0)
     outcomes = [_read(_broken(content, random)) for _ in range(count)]
-    print(f"{count} broken files: {outcomes.count('read')} read, {outcomes.count('refused')} refused")
+    counts = Counter(outcomes)
+    print(f"{count} broken files: {counts['read']} read, {counts['refused']} refused, {counts['untyped']} untyped")
+    return counts["untyped"]
 
 
 def _broken(content: bytes, random: Random) -> bytes:
@@ -80,6 +94,8 @@ def _read(content: bytes) -> str:
         read_bml(content, WRITTEN)
     except InputError:
         return "refused"
+    except Exception:  # noqa: BLE001 - what is counted
+        return "untyped"
     return "read"
 
 

@@ -5,7 +5,8 @@
 FILE has an object with "text" on each line (default: ../shared/data/functions/dev.jsonl); `--sentences` takes the first
 N spoken sentences of GUM (../shared/data/treebanks/spoken-dev.conllu, then spoken-test.conllu) instead. The words get
 made-up times (13 letters a second, pauses at punctuation, one word in eight emphasised); the stages from the parser on
-are real. `--seeds` compares the schedules of each text under so many seeds.
+are real. `--seeds` compares the schedules of each text under so many seeds. Each is also written relative to the marks
+of its words, and no point may then resolve below `FIRST_MOMENT_S`, added up as a realizer does.
 """
 
 import argparse
@@ -19,6 +20,7 @@ from dataclasses import dataclass, replace
 from itertools import combinations, islice, pairwise
 from pathlib import Path
 
+from benchmarks.figures import add_record_option, record
 from tests.support.bml.bml_checker import check
 from understudy.behavior.candidates.planned import candidates_of
 from understudy.behavior.characters.overlays import Character
@@ -26,7 +28,9 @@ from understudy.behavior.choice.scheduling import schedule
 from understudy.behavior.reading.planning import Understood, plan
 from understudy.behavior.reading.player import Player
 from understudy.behavior.speech.visemes import visemes
-from understudy.bml.writing.writer import write_bml
+from understudy.bml.markup.documents import Reference
+from understudy.bml.markup.speech import FIRST_MOMENT_S
+from understudy.bml.writing.writer import to_document, write_bml
 from understudy.model import (
     Agitation,
     Behavior,
@@ -42,6 +46,7 @@ from understudy.model import (
     Utterance,
     Word,
 )
+from understudy.model.formats.bml_form import BmlForm, TimeForm
 from understudy.models import BehaviorModels
 from understudy.resources import RULES, resource_folder
 from understudy.rules.derivation import FunctionRules, Understanding, understand
@@ -53,6 +58,8 @@ from understudy.transcript import read_transcript
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
 TREEBANKS = DATA / "treebanks"
 TEXTS = DATA / "functions" / "dev.jsonl"
+ROUNDING_S = 0.0006
+"""Marks are written as the times of words rounded to a millisecond."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +71,7 @@ class Outcome:
     duration_s: float
     words: int
     mistakes: tuple[str, ...]
+    early: int
     mapping_ms: float
     schedule_ms: float
     write_ms: float
@@ -125,10 +133,21 @@ def outcome(stages: Stages, text: str, seed: int, mode: Mode = Mode.SEMANTIC) ->
     clock.append(time.perf_counter())
     behaviors = schedule(candidates, utterance, stages.character, seed=seed, mode=mode)
     clock.append(time.perf_counter())
-    bml = write_bml(Performance(utterance, functions, behaviors, stages.character.name, seed))
+    performance = Performance(utterance, functions, behaviors, stages.character.name, seed)
+    bml = write_bml(performance)
     clock.append(time.perf_counter())
     times_ms = [1000 * (after - before) for before, after in pairwise(clock)]
-    return Outcome(functions, behaviors, duration_s, len(words), tuple(check(bml)), *times_ms)
+    early = early_points(performance)
+    return Outcome(functions, behaviors, duration_s, len(words), tuple(check(bml)), early, *times_ms)
+
+
+def early_points(performance: Performance) -> int:
+    """How many points relative to the marks of words come before the first moment, in sums of floating numbers."""
+    document = to_document(performance, BmlForm(timing=TimeForm.SYNC))
+    starts = {f"w{word.index}": word.interval.start_s for word in performance.utterance.words if word.interval}
+    values = (value for part in document.root.children for value in part.attributes.values())
+    times_s = [{"start": 0.0, **starts}[ref.point] + ref.offset_s for ref in values if isinstance(ref, Reference)]
+    return sum(time_s < FIRST_MOMENT_S - ROUNDING_S for time_s in times_s)
 
 
 def performed(stages: Stages, text: str, seed: int) -> Performance:
@@ -194,6 +213,7 @@ def main() -> None:
     arguments.add_argument("--character", default="default")
     arguments.add_argument("--seed", type=int, default=0)
     arguments.add_argument("--seeds", type=int, default=1)
+    add_record_option(arguments)
     options = arguments.parse_args()
     stages = Stages.load(options.character)
     if options.sentences:
@@ -204,6 +224,9 @@ def main() -> None:
         arguments.error(f"{options.texts} has no texts")
     outcomes = [outcome(stages, text, options.seed) for text in texts]
     report(outcomes, stages.character)
+    if options.record:
+        early = float(sum(each.early for each in outcomes))
+        record("formats", "BML: points before the first moment, relative to marks", early, bar="= 0")
     if options.seeds > 1:
         others = [[outcome(stages, text, seed) for text in texts] for seed in range(1, options.seeds)]
         report_seeds([outcomes, *others])
@@ -222,6 +245,7 @@ def report(outcomes: list[Outcome], character: Character) -> None:
     print(f"same gesture within 5 s: {repeated}, hands switched within 2 s: {switched}, of {len(gestures)}")
     print("a minute: " + ", ".join(f"{kind} {count / minutes:.1f}" for kind, count in sorted(channels.items())))
     print(f"mistakes the checker finds: {sum(len(each.mistakes) for each in outcomes)}")
+    print(f"points before the first moment, relative to marks: {sum(each.early for each in outcomes)}")
     faults = [unsound(each.behaviors) for each in outcomes]
     print(", ".join(f"{name}: {sum(each[name] for each in faults)}" for name in FAULTS))
     report_times(outcomes)

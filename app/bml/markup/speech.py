@@ -29,12 +29,13 @@ _NAMES: Mapping[str, str] = MappingProxyType({"sync": "id", "mark": "name"})
 
 @dataclass(frozen=True, slots=True)
 class Speech:
-    """The first speech of a document: its text, in `marks` the number of words before each mark, and in `mark_times_s`
-    the stated times of marks, in seconds from the start of the speech."""
+    """The first speech of a document: its text, its start and end as stated, in `marks` the number of words before each
+    mark, and in `mark_times_s` the stated times of marks, in seconds from the start of the speech."""
 
     id: str
     text: str
     start: Time | None
+    end: Time | None
     marks: Mapping[str, int]
     mark_times_s: Mapping[str, float]
 
@@ -85,11 +86,12 @@ def _speech(element: Element) -> Speech:
             marks[name] = len(text.split())
             if isinstance(time_s, float):
                 times_s[name] = time_s
-    start = element.attributes.get("start")
+    start, end = (element.attributes.get(name) for name in ("start", "end"))
     return Speech(
         id=element.id or "speech",
         text=" ".join(text.split()),
         start=None if isinstance(start, str) else start,
+        end=None if isinstance(end, str) else end,
         marks=MappingProxyType(marks),
         mark_times_s=MappingProxyType(times_s),
     )

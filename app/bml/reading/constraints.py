@@ -14,7 +14,7 @@ from ...model import Notice
 from ..markup.documents import Document, Element, Reference, Time, Value
 from ..markup.speech import behaviors_of
 from ..markup.values import text_of
-from .phase_completion import Points, StatedPoints, references_of, relative_times
+from .phase_completion import Points, StatedPoints, later, references_of, relative_times
 
 KnownPoints = Mapping[tuple[str, str], float]
 """Times of points that are no behaviour's, such as the start of the block."""
@@ -22,7 +22,7 @@ KnownPoints = Mapping[tuple[str, str], float]
 Tie = tuple[Time, ...]
 """The points of a `synchronize`."""
 
-_APART_S = 0.0015
+APART_S = 0.0015
 """Points nearer to each other coincide: each is rounded to a millisecond."""
 
 _MOST_RESOLVED = 50_000
@@ -31,8 +31,8 @@ _MOST_RESOLVED = 50_000
 
 @dataclass(frozen=True, slots=True)
 class _Scene:
-    """The behaviours of a block by id, in order, of which `rigid`, the speech, moves only as a whole. `points` are the
-    times of those that have any, `roots` the behaviours without stated times on which they depend."""
+    """The behaviours of a block by id, in order, of which `rigid`, a speech that is heard, moves only as a whole.
+    `points` are the times of those that have any, `roots` the behaviours without stated times on which they depend."""
 
     by_id: Mapping[str, StatedPoints]
     known: KnownPoints
@@ -85,11 +85,11 @@ class _Scene:
             return
         each = self.by_id[time.behavior]
         if time.point not in each.times and each.id != self.rigid:
-            yield self._with(each.id, {**each.times, time.point: _later(anchor, -time.offset_s)})
+            yield self._with(each.id, {**each.times, time.point: later(anchor, -time.offset_s)})
         for root in sorted(self.roots[each.id], key=list(self.by_id).index):
             first = self.by_id[root].names[0]
             way_s = self.points[root][first] - self.points[each.id][time.point] - time.offset_s
-            yield self._with(root, {first: _later(anchor, way_s)})
+            yield self._with(root, {first: later(anchor, way_s)})
 
     def _with(self, name: str, times: Mapping[str, Time]) -> "_Scene":
         changed = {**self.by_id, name: replace(self.by_id[name], times=times)}
@@ -105,13 +105,14 @@ class _Scene:
 
     def _coincide(self, time: Time, anchor: Time) -> bool:
         time_s, anchor_s = self.time_s(time), self.time_s(anchor)
-        return time_s is not None and anchor_s is not None and abs(time_s - anchor_s) < _APART_S
+        return time_s is not None and anchor_s is not None and abs(time_s - anchor_s) < APART_S
 
 
 def synchronized(
     stated: Sequence[StatedPoints], document: Document, *, known: KnownPoints, rigid: str | None = None
 ) -> list[StatedPoints]:
-    """The behaviours with the times that the block's `synchronize` give them; `rigid` is the id of the speech."""
+    """The behaviours with the times that the block's `synchronize` give them; `rigid` is the id of a speech that is
+    heard."""
     scene = _Scene.of(stated, known, rigid)
     pending = list(_within(_MOST_RESOLVED // max(1, len(stated)), _ties(document)))
     while pending:
@@ -149,10 +150,6 @@ def tied_points(document: Document) -> Iterator[Time]:
         yield from tie
 
 
-def _later(time: Time, by_s: float) -> Time:
-    return replace(time, offset_s=time.offset_s + by_s) if isinstance(time, Reference) else float(time) + by_s
-
-
 def _refs(element: Element) -> list[Time]:
     found = (part.attributes.get("ref") for part in element.children if part.name == "sync")
     return [ref for ref in found if isinstance(ref, float | Reference)]
@@ -177,7 +174,7 @@ def _apart(tie: Tie, points: Mapping[str, Points], known: KnownPoints) -> Iterat
     if anchor is None or anchor_s is None:
         return
     for time, time_s in times_s:
-        if time_s is None or abs(time_s - anchor_s) >= _APART_S:
+        if time_s is None or abs(time_s - anchor_s) >= APART_S:
             comes = "has no time" if time_s is None else f"comes at {time_s:.3f} s"
             message = f"{text_of(time)} {comes}, not at {anchor_s:.3f} s together with {text_of(anchor)} as asked"
             yield Notice("bml_constraint_missed", message)

@@ -32,6 +32,8 @@ _EYES_ALONE = "EYES"
 _BLINK = 45
 _PRIORITY_STEP = 10
 _USUAL_HEAD = 0.5
+_KINDS = frozenset({"BEAT", "DEICTIC", "EMBLEM", "ICONIC", "METAPHORIC"})
+"""The kinds of gestures (McNeill 1992), of which one or another document has a gesture's `type`."""
 
 SHIFTS = frozenset({"gazeShift", "headDirectionShift", "postureShift", "body"})
 """Elements that end when a new state is reached, which then lasts."""
@@ -62,11 +64,19 @@ def _blank(element: Element, name: str, sync: SyncPoints) -> Behavior:
 
 
 def _gesture(element: Element, blank: Behavior) -> Behavior | None:
-    """SmartBody's `type` is the gesture and its `lexeme` the kind of it (`lexeme="DEICTIC" type="ME"`), where that is
-    no gesture itself."""
-    lexeme, kind = _text(element, "lexeme"), _text(element, "type")
-    found = kind if kind and (shipped_tables().knows_type(kind) or not shipped_tables().knows(lexeme)) else lexeme
+    """SmartBody's `type` is the gesture and its `lexeme` the kind of it (`lexeme="DEICTIC" type="ME"`), unless only the
+    `lexeme` is known, or is the gesture and the `type` the kind."""
+    lexeme, named = _text(element, "lexeme"), _text(element, "type")
+    known = shipped_tables().knows
+    is_gesture = named not in _KINDS and (known(named) or not known(lexeme))
+    found = (named if is_gesture else lexeme) or lexeme or named
     return replace(blank, lexeme=found) if found else None
+
+
+def passed_over(element: Element, behavior: Behavior) -> str | None:
+    """The `type` of a gesture that is played as its `lexeme` says, because nobody knows the type."""
+    named = _text(element, "type") if behavior.kind is Channel.GESTURE else None
+    return named if named not in {None, behavior.lexeme, *_KINDS} else None
 
 
 def _pointing(element: Element, blank: Behavior) -> Behavior:

@@ -1,8 +1,11 @@
-"""Greta's BML in its old namespace as BML 1.0 core, with the places of its elements.
+"""Greta's BML as BML 1.0 core, with the places of its elements: in its old namespace, or in none, alone or in an
+`fml-apml`, of which only the `bml` is read.
 
 It differs from the core in names (`character`, `tm` for the marks of a speech, `lexeme` inside a `face`), has ids
-twice, and times before the start of the speech, for which the whole block comes later. What the core does not know
-keeps the old namespace, and is reported as all that is foreign.
+twice, and times before the start of the speech, for which the whole block comes later. What the core does not know is
+put into the old namespace, and is reported as all that is foreign.
+
+A `bml` without a namespace is SmartBody's, unless it has marks or heads that are not.
 """
 
 import re
@@ -19,6 +22,7 @@ from ..markup.values import text_of, value_of
 
 GRETA = "http://www.mindmakers.org/projects/BML"
 
+_BLOCKS = frozenset({"bml", f"{{{GRETA}}}bml"})
 _BLOCK = BML_CORE.roots["bml"]
 _COMPOSITIONS: Mapping[str, str] = MappingProxyType({"blend": "MERGE", "append": "APPEND", "replace": "REPLACE"})
 _MARKS = frozenset({"tm", "sync"})
@@ -28,14 +32,38 @@ _SECONDS = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)", re.ASCII)
 
 def in_core_bml(root: Element) -> tuple[Element, tuple[Notice, ...]]:
     """The document in the core's names if it is Greta's, and what was changed; any other unchanged."""
-    if root.name != f"{{{GRETA}}}bml":
+    found = _block_in(root)
+    if found is None:
         return root, ()
-    parts = [part for element in root.children for part in _behaviors(element)]
+    parts = [part for element in found.children for part in _behaviors(element)]
     early_s = _earliest_s(parts)
     parts = [_later(part, -early_s) for part in parts] if early_s < 0 else parts
-    block = replace(root, name=_BLOCK.qualified, attributes=_of_block(root), content=tuple(_with_own_ids(parts)))
+    block = replace(found, name=_BLOCK.qualified, attributes=_of_block(found), content=tuple(_with_own_ids(parts)))
     late = f"; all of it {-early_s:.3f} s later, since it begins before 0" if early_s < 0 else ""
-    return block, (Notice("bml_translated", f"Greta's BML is read as BML 1.0{late}"),)
+    unread = "".join(f"; the <{local_name(each.name)}> beside it is not read" for each in _beside(found, root))
+    return block, (Notice("bml_translated", f"Greta's BML is read as BML 1.0{late}{unread}"),)
+
+
+def _block_in(root: Element) -> Element | None:
+    """The block of a document of Greta's."""
+    if root.name == "fml-apml":
+        return next((part for part in root.children if part.name in _BLOCKS), None)
+    return root if root.name in _BLOCKS and (root.name != "bml" or any(map(_is_gretas, root.children))) else None
+
+
+def _beside(block: Element, root: Element) -> Iterator[Element]:
+    return (part for part in root.children if root is not block and part is not block and part.content)
+
+
+def _is_gretas(behavior: Element) -> bool:
+    """Whether SmartBody has no such behaviour: a head with a lexeme instead of a type, a speech with Greta's marks."""
+    match behavior.name:
+        case "head":
+            return "lexeme" in behavior.attributes and "type" not in behavior.attributes
+        case "speech":
+            return any(part.name == "tm" for part in behavior.children)
+        case _:
+            return False
 
 
 def _of_block(root: Element) -> dict[str, str]:
@@ -69,27 +97,30 @@ def _behaviors(element: Element) -> Iterator[Element]:
         case "face":
             yield from _faces(element)
         case "gaze" | "gazeShift" as name:
-            yield _named(replace(element, attributes={"target": LISTENER, **element.attributes}), name)
-        case "head" | "gesture" | "pointing" as name:
-            yield _named(element, name)
+            yield _in_core(replace(element, attributes={"target": LISTENER, **element.attributes}), _BLOCK.parts[name])
+        case name if name in _BLOCK.parts:
+            yield _in_core(element, _BLOCK.parts[name])
         case name:
             yield replace(element, name=f"{{{GRETA}}}{name}")
 
 
-def _named(element: Element, name: str, **others: str) -> Element:
-    """The behaviour `name` of the core with the element's attributes, and others in their place."""
-    kind = _BLOCK.parts[name]
-    attributes = {key: str(text) for key, text in element.attributes.items()} | others
-    attributes["id"] = _NOT_IN_IDS.sub("_", attributes.get("id", name))
-    return replace(element, name=kind.qualified, attributes=_sorted_out(attributes, kind), content=())
+def _in_core(element: Element, kind: ElementKind) -> Element:
+    """An element that the core has too, with its parts."""
+    attributes = {key: str(text) for key, text in element.attributes.items()}
+    if "id" in kind.attributes:
+        attributes["id"] = _NOT_IN_IDS.sub("_", attributes.get("id", kind.name))
+    known = ((part, kind.parts.get(local_name(part.name))) for part in element.children)
+    parts = tuple(_in_core(part, inside) for part, inside in known if inside)
+    return replace(element, name=kind.qualified, attributes=_sorted_out(attributes, kind), content=parts)
 
 
 def _speech(element: Element) -> Element:
     marked = tuple(_marked(element))
     spoken = any(isinstance(part, str) and part.strip() for part in marked)
     text = marked if spoken else (str(element.attributes.get("text", "")),)
-    bare = replace(element, attributes={name: value for name, value in element.attributes.items() if name != "text"})
-    return replace(_named(bare, "speech"), content=(Element(f"{{{CORE}}}text", content=text, place=element.place),))
+    bare = {name: value for name, value in element.attributes.items() if name != "text"}
+    named = _in_core(replace(element, attributes=bare, content=()), _BLOCK.parts["speech"])
+    return replace(named, content=(Element(f"{{{CORE}}}text", content=text, place=element.place),))
 
 
 def _marked(element: Element) -> Iterator[Element | str]:
@@ -110,7 +141,8 @@ def _faces(element: Element) -> Iterator[Element]:
     lexemes = [str(part.attributes.get("lexeme", "")) for part in parts] or [str(element.attributes.get("lexeme", ""))]
     for lexeme in lexemes:
         peak = {"attackPeak": str(element.attributes["ready"])} if "ready" in element.attributes else {}
-        yield _named(element, "faceLexeme", lexeme=lexeme, **peak)
+        attributes = {**element.attributes, **peak, "lexeme": lexeme}
+        yield _in_core(replace(element, attributes=attributes, content=()), _BLOCK.parts["faceLexeme"])
 
 
 def _earliest_s(parts: Sequence[Element]) -> float:

@@ -6,7 +6,7 @@ proportionally between two of them. No time is negative: if relative times would
 
 from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from types import MappingProxyType
 
@@ -98,6 +98,11 @@ def _from_zero(found: Mapping[str, Points], stated: Sequence[StatedPoints]) -> M
         name: {point: max(0.0, round(time_s + delay_s, 3)) for point, time_s in points.items()}
         for name, points in found.items()
     }
+
+
+def later(time: Time, by_s: float) -> Time:
+    """The time so many seconds later."""
+    return replace(time, offset_s=time.offset_s + by_s) if isinstance(time, Reference) else float(time) + by_s
 
 
 def complete(stated: StatedPoints, times_s: Mapping[str, float]) -> Points:

@@ -1,8 +1,9 @@
 """Resolves a BML document to behaviours with absolute times for a realizer, the inverse of
 `understudy.bml.writing.writer`.
 
-Times are seconds from the start of the block. The sync marks of the speech are at the times of its words in the audio;
-without audio or stated times, every word lasts `GUESSED_WORD_S`, with a Notice if that matters. Behaviours that are not
+Times are seconds from the start of the block. The sync marks of the speech are at the times of its words in the audio,
+which keeps its length; without audio or stated times, words share the time from the start to the end of the speech, or
+last `GUESSED_WORD_S` each, with a Notice if that matters. Behaviours that are not
 body movements, or have no time, are left out with a Notice. SmartBody's gazes last until the next.
 """
 
@@ -22,13 +23,14 @@ from ..markup.documents import (
     Element,
     Reference,
     Time,
+    Value,
 )
 from ..markup.elements import DIALECTS, SBM, ElementKind
 from ..markup.speech import Speech, behaviors_of, block_of, mark_s, speech_of
-from .constraints import synchronized, tied_points, violated_constraints
-from .element_behaviors import SHIFTS, to_behavior
+from .constraints import APART_S, synchronized, tied_points, time_of, violated_constraints
+from .element_behaviors import SHIFTS, passed_over, to_behavior
 from .pawns import pawns_of, placed_by_coordinates, recorded_targets
-from .phase_completion import Points, StatedPoints, resolve_times, usual_s
+from .phase_completion import Points, StatedPoints, later, resolve_times, usual_s
 
 GUESSED_WORD_S = 0.35
 """About 170 words per minute."""
@@ -69,12 +71,14 @@ class _Asked:
 
 def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
     """The behaviours of a document; `words` are those of its speech, timed from the start of the recording."""
+    document = _with_blocks_in_names(document)
     speech = speech_of(document)
     spoken = _spoken(speech, words) if speech else None
+    heard = speech is not None and _is_heard(speech, words)
     asked = list(_asked(document))
     every = [*([spoken] if spoken else []), *(each.stated for each in asked)]
     known = {(block_of(document).id or "", "start"): 0.0}
-    stated = synchronized(every, document, known=known, rigid=spoken.id if spoken else None)
+    stated = synchronized(every, document, known=known, rigid=spoken.id if spoken and heard else None)
     points, lost = resolve_times(stated, known)
     elements = {each.stated.id: each.element for each in asked}
     aimed = recorded_targets(document.root)
@@ -85,7 +89,9 @@ def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
         *_guessed([*tied_points(document), *(time for each in stated for time in each.times.values())], speech, words),
         *(Notice("bml_untimed", f"{name}: its times refer to what has none; it is not played") for name in lost),
         *_not_played(document, elements, behaviors, lost),
+        *_passed_over(elements, behaviors),
         *violated_constraints(document, points, known),
+        *(_missed_end(speech, points, known) if speech else ()),
     )
     return Resolved(
         behaviors=tuple(sorted((_worded(each, words, start_s) for each in behaviors), key=_start_s)),
@@ -101,16 +107,53 @@ def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
     )
 
 
+def _with_blocks_in_names(document: Document) -> Document:
+    """The document with every behaviour of another block called by both names, as no behaviour of this one is."""
+    own = block_of(document).id
+
+    def renamed(value: Value) -> Value:
+        if not isinstance(value, Reference) or value.block in (None, own):
+            return value
+        return Reference(f"{value.block}:{value.behavior}", value.point, value.offset_s)
+
+    def of(element: Element) -> Element:
+        attributes = {name: renamed(value) for name, value in element.attributes.items()}
+        content = tuple(part if isinstance(part, str) else of(part) for part in element.content)
+        return replace(element, attributes=attributes, content=content)
+
+    return replace(document, root=of(document.root))
+
+
 def _spoken(speech: Speech, words: tuple[Word, ...]) -> StatedPoints:
     """The sync points of the speech: start, marks and end, with times from the audio or estimates."""
     times_s = {mark: _heard_or_guessed_s(mark, speech, words) for mark in [*speech.marks]}
     intervals = [word.interval.end_s for word in words if word.interval]
     guessed_s = GUESSED_WORD_S * len(speech.text.split())
-    times_s["end"] = max([intervals[-1] if intervals else guessed_s, *times_s.values()])
+    length_s = max([intervals[-1] if intervals else guessed_s, *times_s.values()])
+    heard = _is_heard(speech, words)
+    if heard and isinstance(speech.start, float) and isinstance(speech.end, float):
+        length_s = max(length_s, speech.end - speech.start)
+    times_s["end"] = length_s
     ordered = sorted(times_s.items(), key=lambda found: found[1])
-    gaps_s = [later - earlier for earlier, later in pairwise([0.0, *(time_s for _name, time_s in ordered)])]
-    start = {} if speech.start is None else {"start": speech.start}
-    return StatedPoints(speech.id, ("start", *(name for name, _time_s in ordered)), tuple(gaps_s), start)
+    gaps_s = [later_s - earlier_s for earlier_s, later_s in pairwise([0.0, *(time_s for _name, time_s in ordered)])]
+    stated = _placed(speech, length_s) if heard else _stated_ends(speech)
+    return StatedPoints(speech.id, ("start", *(name for name, _time_s in ordered)), tuple(gaps_s), stated)
+
+
+def _stated_ends(speech: Speech) -> dict[str, Time]:
+    return {name: time for name, time in (("start", speech.start), ("end", speech.end)) if time is not None}
+
+
+def _placed(speech: Speech, length_s: float) -> dict[str, Time]:
+    """The start of a speech that is heard: as stated, or so long before its end."""
+    if speech.start is None and speech.end is not None:
+        start = later(speech.end, -length_s)
+        return {"start": start if isinstance(start, Reference) else max(0.0, start)}
+    return {} if speech.start is None else {"start": speech.start}
+
+
+def _is_heard(speech: Speech, words: tuple[Word, ...]) -> bool:
+    return bool(speech.mark_times_s) or any(word.interval for word in words)
 
 
 def _heard_or_guessed_s(mark: str, speech: Speech, words: tuple[Word, ...]) -> float:
@@ -192,6 +235,14 @@ def _worded(behavior: Behavior, words: Sequence[Word], start_s: float) -> Behavi
     return replace(behavior, first=begun[-1], last=begun[-1]) if begun else behavior
 
 
+def _passed_over(elements: Mapping[str, Element], behaviors: Iterable[Behavior]) -> Iterator[Notice]:
+    """A notice of each gesture whose `type` nobody knows, so that its `lexeme` is played."""
+    for each in behaviors:
+        named = passed_over(elements[each.id], each)
+        if named:
+            yield Notice("gesture_unknown", f"{each.id} is played as a {each.lexeme}: no gesture is called {named!r}")
+
+
 def _visemes(elements: Mapping[str, Element], points: Mapping[str, Points]) -> Iterator[Viseme]:
     """The visemes stated in the document."""
     for name, element in elements.items():
@@ -220,12 +271,22 @@ def _character(root: Element) -> str | None:
 
 def _guessed(times: Iterable[Time], speech: Speech | None, words: tuple[Word, ...]) -> Iterator[Notice]:
     """A notice if any time depends on words with estimated times."""
-    if speech is None or speech.mark_times_s or any(word.interval for word in words):
+    if speech is None or _is_heard(speech, words):
         return
     refs = {ref.point for ref in times if _is_of(ref, speech.id)}
     if refs - {"start"}:
-        message = f"no recording tells when the words are spoken: {GUESSED_WORD_S} s is taken for each; send the audio"
-        yield Notice("speech_untimed", message)
+        each = f"{GUESSED_WORD_S} s is taken for each" if speech.end is None else "they share its time evenly"
+        yield Notice("speech_untimed", f"no recording tells when the words are spoken: {each}; send the audio")
+
+
+def _missed_end(
+    speech: Speech, points: Mapping[str, Points], known: Mapping[tuple[str, str], float]
+) -> Iterator[Notice]:
+    """A notice if the speech does not end when it was asked to."""
+    asked_s, end_s = time_of(speech.end, points, known), points.get(speech.id, {}).get("end")
+    if asked_s is not None and end_s is not None and abs(end_s - asked_s) >= APART_S:
+        told = f"{speech.id}:end comes at {end_s:.3f} s, not at {asked_s:.3f} s as asked: its words keep their times"
+        yield Notice("bml_constraint_missed", told)
 
 
 def _is_of(time: Time, speech: str) -> TypeGuard[Reference]:

@@ -83,8 +83,8 @@ def to_smartbody(
     return Document(DialectName.SMARTBODY, Element("act", content=(actor, block)))
 
 
-def left_out(performance: Performance, audio_name: str | None) -> Iterator[Notice]:
-    """Notices about what SmartBody would refuse, fail on or not find, and what is written instead."""
+def left_out(performance: Performance, audio_name: str | None, tables: SmartBodyTables) -> Iterator[Notice]:
+    """Notices about what SmartBody would refuse, fail on, not find or not show, and what is written instead."""
     if performance.utterance.words and audio_name is None:
         message = "SmartBody finds a recording by its name, and this one has none; name it, or write ref in the speech"
         yield Notice("smartbody_unnamed", message)
@@ -101,6 +101,17 @@ def left_out(performance: Performance, audio_name: str | None) -> Iterator[Notic
             "name them as listeners or targets"
         )
         yield Notice("smartbody_gaze", message)
+    yield from _other_units(performance, tables)
+
+
+def _other_units(performance: Performance, tables: SmartBodyTables) -> Iterator[Notice]:
+    """A notice if faces have action units for which others are written."""
+    faces = [each for each in performance.behaviors if each.kept and each.kind in {Channel.FACE, Channel.EYES}]
+    asked = sorted({unit for face in faces for unit in _units(face.lexeme)[1]})
+    shown = [f"{tables.unit_shown(unit).unit} for {unit}" for unit in asked if tables.unit_shown(unit).unit != unit]
+    if shown:
+        message = f"the faces of SmartBody's characters lack action units; others are written: {', '.join(shown)}"
+        yield Notice("smartbody_face", message)
 
 
 def _playable(performance: Performance) -> Iterator[Behavior]:

@@ -91,10 +91,6 @@ class SmartBodyTables:
         """The action unit of the face that shows this one: itself, or the nearest that it has."""
         return self.units_shown.get(unit, UnitShown(unit=unit))
 
-    def knows_type(self, name: str) -> bool:
-        """Whether a gesture map may have this type."""
-        return name in self.gesture_map
-
     def knows(self, lexeme: str | None) -> bool:
         """Whether this is a lexeme of ours or a type of the map."""
         return lexeme in self.types or lexeme in self.gesture_map

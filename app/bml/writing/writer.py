@@ -75,7 +75,8 @@ def speech_file_name(form: BmlForm) -> str | None:
 
 def losses(performance: Performance, form: BmlForm) -> tuple[Notice, ...]:
     """Notices about what the form cannot express."""
-    return tuple(left_out(performance, form.audio_name)) if form.dialect is DialectName.SMARTBODY else ()
+    is_smartbody = form.dialect is DialectName.SMARTBODY
+    return tuple(left_out(performance, form.audio_name, shipped_tables())) if is_smartbody else ()
 
 
 def to_document(performance: Performance, form: BmlForm = CORE_FORM) -> Document:

@@ -86,14 +86,16 @@ class Library:
             raise InputError("unknown_name", f"no gesture is called {name!r}{hint}", field="name")
         return named[name]
 
-    def nearest(self, lexeme: str) -> str | None:
-        """The category that shows `lexeme` of any BML dialect: the same name, ignoring case and separators, the one it
-        is an alias of, or else a beat. None if the library has no beat either."""
+    def category_of(self, lexeme: str) -> str | None:
+        """The category of `lexeme` of any BML dialect: the same name, ignoring case and separators, or the one it is an
+        alias of. None for a lexeme that nothing in the library shows."""
         spelt = re.sub(r"[^A-Z0-9]+", "_", lexeme.upper()).strip("_")
-        for category in (lexeme, spelt, self.aliases.get(spelt), LAST_RESORT):
-            if category in self.by_category:
-                return category
-        return None
+        named = (lexeme, spelt, self.aliases.get(spelt))
+        return next((category for category in named if category in self.by_category), None)
+
+    def nearest(self, lexeme: str) -> str | None:
+        """The category of `lexeme`, or else a beat. None if the library has no beat either."""
+        return self.category_of(lexeme) or (LAST_RESORT if LAST_RESORT in self.by_category else None)
 
 
 @lru_cache(maxsize=4096)

@@ -84,6 +84,36 @@ def test_the_speech_stays_where_only_a_point_before_0_would_bring_them_together(
     assert missed == []
 
 
+def test_a_speech_that_is_heard_ends_when_it_is_asked_to_and_keeps_its_length() -> None:
+    said = "<text>we <sync id='s1'/>come in peace</text>"
+    found = resolved(f'<speech id="s" end="6">{said}</speech><head id="h" lexeme="NOD" start="s:s1"/>', WORDS)
+    assert (found.speech_start_s, found.behaviors[0].sync.start) == (pytest.approx(3.4), pytest.approx(4.8))
+    assert found.notices == ()
+    found = resolved(
+        f'<speech id="s" start="1" end="6">{said}</speech><head id="h" lexeme="NOD" start="s:end"/>', WORDS
+    )
+    assert (found.speech_start_s, found.behaviors[0].sync.start) == (1, 6)
+    assert found.notices == ()
+    (told,) = resolved(f'<speech id="s" end="2">{said}</speech>', WORDS).notices
+    assert told.message == "s:end comes at 2.600 s, not at 2.000 s as asked: its words keep their times"
+
+
+def test_words_that_nobody_hears_share_the_time_of_their_speech() -> None:
+    speech = '<speech id="s" start="1" end="5"><text>we come <sync id="s1"/>in peace</text></speech>'
+    found = resolved(f'{speech}<head id="h" lexeme="NOD" start="s:s1"/>')
+    assert found.behaviors[0].sync.start == 3
+    assert [notice.message.partition(": ")[2] for notice in found.notices] == [
+        "they share its time evenly; send the audio"
+    ]
+
+
+def test_a_behaviour_of_another_block_is_none_of_this() -> None:
+    inside = '<head id="h1" lexeme="NOD" start="4"/><head id="h2" lexeme="NOD" start="b7:h1:end"/>'
+    found = resolved(f'{inside}<head id="h3" lexeme="NOD" start="b:h1:end"/>')
+    assert [each.id for each in found.behaviors] == ["h1", "h3"]
+    assert [notice.code for notice in found.notices] == ["bml_untimed"]
+
+
 def test_every_constraint_that_is_not_met_is_told() -> None:
     inside = """<head id="h1" lexeme="NOD" stroke="2.6"/><gesture id="g1" lexeme="BEAT" stroke="4"/>
     <faceLexeme id="f1" lexeme="SMILE" start="h1:start"/>"""

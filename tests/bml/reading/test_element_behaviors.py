@@ -44,6 +44,9 @@ def test_every_lexeme_of_the_file_is_one_that_the_realizer_plays() -> None:
         (in_smartbody('<gesture lexeme="SHRUG" type="LAZILY"/>'), "SHRUG"),
         (in_smartbody('<gesture lexeme="MINE" type="ALSO_MINE"/>'), "ALSO_MINE"),
         (in_smartbody('<gesture lexeme="DEICTIC"/>'), "DEICTIC"),
+        (in_smartbody('<gesture lexeme="BEAT" type="SHRUG"/>'), "SHRUG"),
+        (in_smartbody('<gesture lexeme="NEGATION" type="BEAT"/>'), "NEGATION"),
+        (in_smartbody('<gesture type="BEAT"/>'), "BEAT"),
     ],
 )
 def test_others_names_are_ours(inside: str, lexeme: str) -> None:

@@ -165,6 +165,14 @@ def test_what_the_face_lacks_is_shown_by_a_share_of_another_unit(
     assert (face.attributes["au"], face.attributes["amount"]) == (unit, shown)
 
 
+def test_what_is_shown_for_units_that_the_face_lacks_is_told_once() -> None:
+    faces = [behavior(Channel.FACE, lexeme) for lexeme in ("STRETCH_LIPS", "PRESS_LIPS", "PRESS_LIPS", "RAISE_BROWS")]
+    line = performance(*(replace(face, id=f"face{number}") for number, face in enumerate(faces)))
+    (told,) = losses(line, FORM)
+    assert (told.code, told.message.partition("written: ")[2]) == ("smartbody_face", "12 for 20, 7 for 24")
+    assert losses(line, BmlForm()) == ()
+
+
 def test_a_gaze_aside_comes_back_for_it_would_stay() -> None:
     aside = replace(behavior(Channel.GAZE, "GLANCE", PEAK), target="listener", direction="UP", amount=0.25)
     away, back = written(aside)

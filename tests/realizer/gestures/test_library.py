@@ -86,6 +86,7 @@ def test_lexemes_of_others(tmp_path: Path) -> None:
     lexemes = ("POINT_LEFT", "point-left", "Point Left", "deictic.left", "SING")
     assert [found.nearest(one) for one in lexemes] == [*["POINT_LEFT"] * 4, "BEAT"]
     assert Library.of(()).nearest("SING") is None
+    assert (found.category_of("deictic.left"), found.category_of("SING")) == ("POINT_LEFT", None)
 
 
 @pytest.mark.parametrize(
