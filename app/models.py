@@ -21,7 +21,7 @@ from .on_demand import OnDemand
 from .resources import RULES, resource_folder
 
 if TYPE_CHECKING:
-    from .acoustic.stage import AcousticModels
+    from .acoustic.models import AcousticModels
     from .behavior.candidates.attitudes import Attitude
     from .behavior.characters.gesture_forms import FormedCharacters
     from .behavior.characters.overlays import Characters
@@ -45,10 +45,11 @@ if TYPE_CHECKING:
 class Understudy:
     """All models, loaded once and shared by threads. `close` (or a `with` block) ends the aligner's process.
 
-    The realizer is loaded on first use: most performances are never realized.
+    The realizer is loaded on first use: most performances are never realized. So are the acoustic models if it was
+    loaded `for_words`.
     """
 
-    acoustic: AcousticModels
+    when_hearing: OnDemand[AcousticModels]
     language: LanguageModels
     behavior: BehaviorModels
     when_realizing: OnDemand[Realizer]
@@ -60,16 +61,32 @@ class Understudy:
 
         From then on BLAS uses a single thread in the whole process: a line is too short to gain from more.
         """
-        from .acoustic.stage import AcousticModels
-
         threadpool_limits(limits=1, user_api="blas")
+        understudy = cls.for_words(settings)
+        understudy.when_hearing.get()
+        return understudy
+
+    @classmethod
+    def for_words(cls, settings: Settings) -> Self:
+        """The same without the acoustic models, which are loaded on first use."""
+
+        def ears() -> AcousticModels:
+            from .acoustic.models import AcousticModels
+
+            return AcousticModels.load(settings)
+
         with laid_over(settings.lexicon_folders):
             return cls(
                 behavior=BehaviorModels.load(settings),
                 language=LanguageModels.load(settings),
-                acoustic=AcousticModels.load(settings),
+                when_hearing=OnDemand(ears),
                 when_realizing=OnDemand(load_realizer),
             )
+
+    @property
+    def acoustic(self) -> AcousticModels:
+        """The acoustic models; on first use raises ServiceError when one of them is missing or broken."""
+        return self.when_hearing.get()
 
     @property
     def realizer(self) -> Realizer:
@@ -80,13 +97,15 @@ class Understudy:
         """The same models with other limits; settings of what is already loaded have no effect."""
         return replace(
             self,
-            acoustic=replace(self.acoustic, settings=settings),
+            when_hearing=OnDemand.ready(replace(self.acoustic, settings=settings)),
             language=replace(self.language, settings=settings),
             behavior=replace(self.behavior, settings=settings),
         )
 
     def close(self) -> None:
-        self.acoustic.close()
+        acoustic = self.when_hearing.made()
+        if acoustic is not None:
+            acoustic.close()
 
     def __enter__(self) -> Self:
         return self

@@ -20,6 +20,13 @@ class OnDemand(Generic[Value]):
         self._made: tuple[Value] | None = None
         self._lock = Lock()
 
+    @classmethod
+    def ready(cls, value: Value) -> "OnDemand[Value]":
+        """A value that is made already."""
+        found = cls(lambda: value)
+        found._made = (value,)
+        return found
+
     def get(self) -> Value:
         """The value; raises what making it raises."""
         with self._lock:

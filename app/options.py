@@ -60,3 +60,6 @@ class Options:
         """The options with an author's edits, whose settings for the line override these."""
         settings = {part.name: getattr(edits.line, part.name) for part in fields(edits.line)}
         return replace(self, edits=edits, **{name: told for name, told in settings.items() if told is not None})
+
+
+AS_USUAL = Options()

@@ -1,8 +1,8 @@
 """Runs all stages of a line in order: the paper's Figure 2, up to the schedule.
 
-Read `analyze`, then `perform_behaviors`, its two halves, in which a line is a stage; `perform_line` joins them. Every
-stage is a pure function over the values of `understudy.model`; what stages need besides (models, rules, tables) is
-loaded once into an `Understudy` and never changes.
+`perform_line` is the figure, a stage a line; the stages that say what is heard and meant come first, in `analyze`.
+Every stage is a pure function over the values of `understudy.model`; what stages need besides (models, rules, tables)
+is loaded once into an `Understudy` and never changes.
 """
 
 from __future__ import annotations
@@ -10,16 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from .acoustic.affect.line_affect import given_line
-from .acoustic.stage import (
-    AcousticModels,
-    align_words,
-    analyze_signal,
-    hear_affect,
-    hear_manners,
-    measure_stress,
-)
-from .acoustic.unheard import pace_words, stress_unheard, unheard_affect, unheard_manner
+from .acoustic.stage import hear, with_prosody
 from .behavior.candidates.notes import check_direction, conflicts
 from .behavior.choice.offered import NEAR
 from .behavior.idle.stillness import with_stillness
@@ -37,26 +28,11 @@ from .bml.writing.writer import losses
 from .edits.applying import edited
 from .edits.words import corrected, marked, unmarked, with_marked
 from .errors import InputError
-from .model import (
-    AffectTrack,
-    Agitation,
-    Analysis,
-    Direction,
-    Level,
-    Line,
-    LineAffect,
-    Notice,
-    Performance,
-    SignalAnalysis,
-    Speaking,
-    Utterance,
-    Word,
-)
+from .model import Analysis, Direction, Line, Notice, Performance
 from .model.edits import WordEdit, WordMark
 from .model.lead_in import with_lead_in
-from .model.voice.signal import SpeakerReference
-from .models import BehaviorModels, Understudy
-from .options import Options
+from .models import Understudy
+from .options import AS_USUAL, Options
 from .profiles.generation.script import GestureScript
 from .progress import Progress, no_progress
 from .rules.derivation import understand
@@ -81,62 +57,45 @@ class PerformedLine:
 
 
 def perform_line(
-    understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress
+    understudy: Understudy,
+    line: Line,
+    options: Options,
+    progress: Progress = no_progress,
+    *,
+    analysis: Analysis | None = None,
+    near: float = NEAR,
 ) -> PerformedLine:
-    """The whole way of a recorded line (paper §3, Figure 2).
+    """The whole way of a line (paper §3, Figure 2), or from its `analysis` on if that is made already. Among the
+    behaviours is what was offered and came so `near` (log-odds) to being shown.
 
     Raises InputError for audio, text, timings, functions, notes or options that cannot be used; names and notes are
     checked before anything is heard.
     """
-    understudy.behavior.characters.named(options.character)
-    understudy.behavior.profile(options.profile)
-    contradictions = _checked_direction(understudy, line)
-    analysis = analyze(
-        understudy,
-        line,
-        agitation=options.agitation,
-        affect=options.affect,
-        reference=options.reference,
-        edits=options.edits.words,
-        progress=progress,
-    )
-    performed = perform_behaviors(understudy.behavior, analysis, options, line.direction, progress)
-    performance = performed.performance
-    return replace(performed, performance=replace(performance, notices=contradictions + performance.notices))
-
-
-def perform_behaviors(
-    models: BehaviorModels,
-    analysis: Analysis,
-    options: Options,
-    direction: Direction | None = None,
-    progress: Progress = no_progress,
-    *,
-    near: float = NEAR,
-) -> PerformedLine:
-    """The second half of Figure 2: from an analysed line to its behaviours (paper §3.4, §3.5), with a director's notes.
-    Among the behaviours is what was offered and came so `near` (log-odds) to being shown.
-
-    Raises InputError `unknown_character`, `unknown_profile`.
-    """
+    models, edits = understudy.behavior, options.edits
+    contradictions = _checked(understudy, line, options, analysis)
+    analysis = analysis or analyze(understudy, line, options, progress)  # §3.1 to §3.3
     progress("plan")
-    performer = replace(_performer(models, analysis, options, direction), near=near)
+    known, facts = analysis.functions, analysis.facts
+    mapped = map_functions(models.rules, analysis.utterance, known, seed=options.seed, facts=facts)  # §3.4
+    performer = performer_of(models, analysis, options, mapped=mapped, direction=line.direction, near=near)
+    performer = _with_marked_words(performer, edits.words)
     planned = plan_line(performer)
     progress("mapping")
     candidates, moments = offer_candidates(performer, planned)
     progress("schedule")
     timed = replace(analysis, utterance=with_lead_in(analysis.utterance, options.lead_in_s))
-    behaviors, script = schedule_line(performer, timed, planned, candidates)
+    behaviors, script = schedule_line(performer, timed, planned, candidates)  # §3.5
     performance = assemble(performer, timed, moments, behaviors)
-    performance = edited(performance, options.edits.behaviors, performer.character)
-    performance = with_listeners(models, performance, options)
+    performance = edited(performance, edits.behaviors, performer.character)
+    performance = with_listeners(models, performance, options)  # §3.6
     performance = with_stillness(performance, options.stillness)
-    lost = (*unmarked(options.edits.words, timed.utterance.words), *losses(performance, options.form))
-    return PerformedLine(analysis, replace(performance, notices=(*performance.notices, *lost)), script)
+    lost = (*unmarked(edits.words, timed.utterance.words), *losses(performance, options.form))
+    notices = (*contradictions, *performance.notices, *lost)
+    return PerformedLine(analysis, replace(performance, notices=notices), script)
 
 
 def perform(understudy: Understudy, line: Line, options: Options, progress: Progress = no_progress) -> Performance:
-    """The performance of a recorded line; raises as `perform_line` does."""
+    """The performance of a line; raises as `perform_line` does."""
     return perform_line(understudy, line, options, progress).performance
 
 
@@ -147,130 +106,44 @@ def perform_analysis(
     direction: Direction | None = None,
     progress: Progress = no_progress,
 ) -> Performance:
-    """The performance of an analysed line (paper §3.4, §3.5), with a director's notes applied."""
-    return perform_behaviors(understudy.behavior, analysis, options, direction, progress).performance
-
-
-def _performer(models: BehaviorModels, analysis: Analysis, options: Options, direction: Direction | None) -> Performer:
-    """Who performs the line, with what the mapping rules offer (paper §3.4) and the words that the author marked."""
-    mapped = map_functions(
-        models.rules, analysis.utterance, analysis.functions, seed=options.seed, facts=analysis.facts
-    )
-    performer = performer_of(
-        models, analysis, options, offers=mapped.offers, demands=mapped.demands, direction=direction
-    )
-    edits, words = options.edits.words, analysis.utterance.words
-    important = {index for mark, index in marked(edits, words) if mark is WordMark.IMPORTANT}
-    return replace(performer, direction=with_marked(direction, edits, words, meanings_at(performer, important)))
-
-
-def _checked_direction(understudy: Understudy, line: Line) -> tuple[Notice, ...]:
-    """Notices of contradictions in a director's notes; raises InputError where the notes do not fit the words."""
-    if line.direction is None:
-        return ()
-    limit = understudy.language.settings.max_text_characters
-    check_direction(line.direction, words=len(read_transcript(line.text, max_characters=limit)))
-    return conflicts(line.direction)
+    """The performance of an analysed line, with a director's notes applied; raises as `perform_line` does."""
+    line = Line(None, "", direction=direction)
+    return perform_line(understudy, line, options, progress, analysis=analysis).performance
 
 
 def analyze(
-    understudy: Understudy,
-    line: Line,
-    *,
-    agitation: Level | None = None,
-    affect: AffectTrack | None = None,
-    reference: SpeakerReference | None = None,
-    edits: Sequence[WordEdit] = (),
-    progress: Progress = no_progress,
+    understudy: Understudy, line: Line, options: Options = AS_USUAL, progress: Progress = no_progress
 ) -> Analysis:
-    """The analysis of a line (paper §3.1 to §3.3); an author's `edits` correct word times. A line without a recording
-    is timed by its words alone (`pace_words`)."""
-    if line.audio is None:
-        return _analyze_unheard(understudy, line, agitation=agitation, affect=affect, edits=edits, progress=progress)
-    acoustic, language = understudy.acoustic, understudy.language
-    transcript = read_transcript(line.text, max_characters=language.settings.max_text_characters)
-    heard = analyze_signal(acoustic, line.audio, progress, reference=reference)
-    progress("align")
-    timed = align_words(acoustic, heard.audio, transcript, line.timings)
-    words, edit_notices = corrected(timed.words, edits, duration_s=heard.audio.duration_s)
-    progress("stress")
-    words, thresholds = measure_stress(acoustic, words, heard.contours, heard.audio)
+    """The analysis of a line (paper §3.1 to §3.3). An author's edits correct word times; a line without a recording is
+    timed by its words alone."""
+    agitation, affect = options.agitation, options.affect
+    said = hear(understudy.acoustic, line, progress, reference=options.reference)  # §3.1
+    words, left_out = corrected(said.words, options.edits.words, duration_s=said.duration_s)
     progress("parse")
-    level = _certain(agitation) if agitation else heard.agitation
-    feeling = _feeling(acoustic, heard, words, affect, reference)
-    utterance = Utterance(
-        words=words,
-        parse=language.parser.parse(words),
-        agitation=level,
-        thresholds=thresholds,
-        duration_s=heard.audio.duration_s,
-        fillers=timed.fillers,
-        affect=feeling,
-        manners=hear_manners(heard, words, level, feeling),
-    )
-    progress("functions")
-    known = understand(language.rules, utterance, given=line.functions)
-    return Analysis(utterance, known.functions, heard.notices + timed.notices + edit_notices, heard, known.facts)
-
-
-def _analyze_unheard(
-    understudy: Understudy,
-    line: Line,
-    *,
-    agitation: Level | None,
-    affect: AffectTrack | None,
-    edits: Sequence[WordEdit],
-    progress: Progress,
-) -> Analysis:
-    """The analysis of a line that nobody has spoken: its voice is calm and neutral unless the caller says otherwise."""
-    language = understudy.language
-    transcript = read_transcript(line.text, max_characters=language.settings.max_text_characters)
-    progress("align")
-    spoken = pace_words(understudy.acoustic, transcript, line.speaking, line.timings)
-    words, edit_notices = corrected(spoken.words, edits, duration_s=spoken.duration_s)
-    progress("parse")
-    parse = language.parser.parse(words)
+    parse = understudy.language.parser.parse(words)  # §3.2
     progress("stress")
-    timed = replace(spoken, words=words)
-    words = stress_unheard(understudy.acoustic, timed, parse, timed=line.timings is not None)
-    level = _certain(agitation or Level.MEDIUM)
-    feeling = unheard_affect(words) if affect is None else given_line(affect, words, spoken.duration_s)
-    utterance = Utterance(
-        words=words,
-        parse=parse,
-        agitation=level,
-        duration_s=spoken.duration_s,
-        fillers=spoken.fillers,
-        affect=feeling,
-        manners=unheard_manner(timed, level, feeling),
-    )
+    utterance = with_prosody(understudy.acoustic, replace(said, words=words), parse, agitation=agitation, affect=affect)
     progress("functions")
-    known = understand(language.rules, utterance, given=line.functions)
-    notices = (*_unread(line.speaking), *spoken.notices, *edit_notices)
-    return Analysis(utterance, known.functions, notices, facts=known.facts)
+    known = understand(understudy.language.rules, utterance, given=line.functions)  # §3.3
+    return replace(known, notices=(*said.notices, *left_out), heard=said.signal)
 
 
-def _unread(speaking: Speaking) -> tuple[Notice, ...]:
-    """A notice of tags that say nothing here."""
-    if not speaking.unread_tags:
+def _checked(understudy: Understudy, line: Line, options: Options, analysis: Analysis | None) -> tuple[Notice, ...]:
+    """Notices of contradictions in a director's notes; raises InputError for unknown names, and where the notes do not
+    fit the words."""
+    understudy.behavior.characters.named(options.character)
+    understudy.behavior.profile(options.profile)
+    if line.direction is None:
         return ()
-    names = ", ".join(f"<{name}>" for name in speaking.unread_tags)
-    return (Notice("tags_unread", f"tags that are not read, only what is inside: {names}"),)
+    limit = understudy.language.settings.max_text_characters
+    words = analysis.utterance.words if analysis else read_transcript(line.text, max_characters=limit)
+    check_direction(line.direction, words=len(words))
+    return conflicts(line.direction)
 
 
-def _feeling(
-    acoustic: AcousticModels,
-    heard: SignalAnalysis,
-    words: tuple[Word, ...],
-    given: AffectTrack | None,
-    reference: SpeakerReference | None,
-) -> LineAffect:
-    """The feeling that is given, else the one that is heard."""
-    if given is not None:
-        return given_line(given, words, heard.audio.duration_s)
-    return hear_affect(acoustic, heard, words, reference)
-
-
-def _certain(level: Level) -> Agitation:
-    """Full membership in the level that the caller gave."""
-    return Agitation(**{name.value: float(name is level) for name in Level})
+def _with_marked_words(performer: Performer, edits: Sequence[WordEdit]) -> Performer:
+    """The performer with a note for each word that the author marked."""
+    words = performer.line.utterance.words
+    important = {index for mark, index in marked(edits, words) if mark is WordMark.IMPORTANT}
+    meanings = meanings_at(performer, important)
+    return replace(performer, direction=with_marked(performer.direction, edits, words, meanings))

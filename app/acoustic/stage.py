@@ -1,106 +1,111 @@
-"""The acoustic stage: from a recording and its words to contours, agitation, and word times (paper §3.1)."""
+"""The acoustic stage: from a recording and its words to contours, agitation, and word times (paper §3.1).
+
+In order: `hear` times the words of a line and measures its signal, `with_prosody` adds how the parsed words sound.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Self
 
-from ..authored_folders import lexicon_folder
 from ..model import (
     Affect,
+    AffectTrack,
     Agitation,
     AlignedLine,
     Audio,
     Contours,
+    Filler,
+    Level,
     Line,
     LineAffect,
     Manner,
+    Notice,
+    Parse,
     SignalAnalysis,
     StressThresholds,
     Timings,
+    Utterance,
     Word,
 )
 from ..model.voice.signal import SpeakerReference
-from ..on_demand import OnDemand
 from ..progress import Progress, no_progress
-from ..resources import resource_folder
 from ..settings import Settings
 from ..transcript import read_transcript
-from .affect.affect_model import AffectModel
-from .affect.line_affect import AffectJudge, FeatureJudge, Stretch, line_affect
+from .affect.line_affect import Stretch, given_line, line_affect
 from .affect.manner import word_manners
-from .affect.waveform_model import WaveformModel
-from .agitation.agitation import AgitationModel
 from .agitation.voice_quality import voice_quality
-from .alignment.alignment import Aligner, Alignment
+from .alignment.alignment import Alignment
 from .alignment.timings import read_fillers, read_timings
 from .contours import contours_of
-from .focus.focus import FocusModel
-from .focus.listeners import Listeners
-from .pacing.pacing import Pace
+from .models import AcousticModels
 from .signal.background import doubts
 from .signal.decoding import AudioLimits, decode
 from .stress.prominence import prominence, with_listeners
 from .stress.stress import Measure, stress, with_emphasis
+from .unheard import UnheardLine, pace_words, unheard_utterance
 
 
-@dataclass(frozen=True, slots=True)
-class AcousticModels:
-    """The models of the acoustic stage (paper §3.1). The aligner is loaded by the first line without word timings; it
-    runs in a process of its own, which `close` (or a `with` block) ends."""
+@dataclass(frozen=True, slots=True, eq=False)
+class HeardLine:
+    """A recorded line: its words in time, what the signal says, and how the speaker usually sounds."""
 
-    settings: Settings
-    when_aligning: OnDemand[Aligner]
-    agitation: AgitationModel
-    affect: AffectJudge
-    listeners: Listeners
-    focus: FocusModel
-    when_pacing: OnDemand[Pace]
-
-    @classmethod
-    def load(cls, settings: Settings) -> "AcousticModels":
-        """Loads all but the aligner; raises ServiceError when a model is missing or broken."""
-        models, lexicon = resource_folder("models"), lexicon_folder()
-        return cls(
-            settings=settings,
-            when_aligning=OnDemand(lambda: Aligner(models, lexicon / "en")),
-            agitation=_agitation_model(settings, models / "agitation"),
-            affect=_affect_judge(settings, models / "affect"),
-            listeners=Listeners.load(models / "focus" / "emphases.onnx"),
-            focus=FocusModel.load(models / "focus" / "focus.npz"),
-            when_pacing=OnDemand(lambda: Pace.load(lexicon)),
-        )
+    words: tuple[Word, ...]
+    signal: SignalAnalysis
+    notices: tuple[Notice, ...]
+    fillers: tuple[Filler, ...]
+    reference: SpeakerReference | None = None
 
     @property
-    def aligner(self) -> Aligner:
-        """The aligner; on first use raises ServiceError when one of its models is missing or broken."""
-        return self.when_aligning.get()
-
-    def close(self) -> None:
-        """Ends the aligner's process; the next line starts another."""
-        aligner = self.when_aligning.made()
-        if aligner is not None:
-            aligner.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_exception: object) -> None:
-        self.close()
+    def duration_s(self) -> float:
+        return self.signal.audio.duration_s
 
 
-def _agitation_model(settings: Settings, folder: Path) -> AgitationModel:
-    """The user's own model of agitation, else ours."""
-    if settings.agitation_model is not None:
-        return AgitationModel.load_file(settings.agitation_model)
-    return AgitationModel.load(folder, settings.agitation_features)
+def hear(
+    acoustic: AcousticModels, line: Line, progress: Progress = no_progress, *, reference: SpeakerReference | None = None
+) -> HeardLine | UnheardLine:
+    """The words of a line in time, with what its recording says; without one they are timed as they are usually spoken
+    (`pace_words`).
+
+    Raises InputError for audio, text and timings that cannot be used.
+    """
+    transcript = read_transcript(line.text, max_characters=acoustic.settings.max_text_characters)
+    if line.audio is None:
+        progress("align")
+        return pace_words(acoustic, transcript, line.speaking, line.timings)
+    signal = analyze_signal(acoustic, line.audio, progress, reference=reference)
+    progress("align")
+    timed = align_words(acoustic, signal.audio, transcript, line.timings)
+    return HeardLine(timed.words, signal, signal.notices + timed.notices, timed.fillers, reference)
 
 
-def _affect_judge(settings: Settings, folder: Path) -> AffectJudge:
-    """The user's own model of affect, else ours."""
-    if settings.affect_model is not None:
-        return WaveformModel.load(settings.affect_model)
-    return FeatureJudge(AffectModel.load(folder / f"{settings.affect_data}.npz"))
+def with_prosody(
+    acoustic: AcousticModels,
+    line: HeardLine | UnheardLine,
+    parse: Parse,
+    *,
+    agitation: Level | None = None,
+    affect: AffectTrack | None = None,
+) -> Utterance:
+    """The utterance: the words with their stress and focus, the speaker's agitation and feeling, as given, else as
+    heard."""
+    if isinstance(line, UnheardLine):
+        return unheard_utterance(acoustic, line, parse, agitation=agitation, affect=affect)
+    signal = line.signal
+    words, thresholds = measure_stress(acoustic, line.words, signal.contours, signal.audio)
+    level = Agitation.certain(agitation) if agitation else signal.agitation
+    if affect is None:
+        feeling = line_affect(acoustic.affect, _stretch(signal), signal.affect, words, line.reference)
+    else:
+        feeling = given_line(affect, words, line.duration_s)
+    return Utterance(
+        words=words,
+        parse=parse,
+        agitation=level,
+        thresholds=thresholds,
+        duration_s=line.duration_s,
+        fillers=line.fillers,
+        affect=feeling,
+        manners=hear_manners(signal, words, level, feeling),
+    )
 
 
 def analyze_signal(
@@ -120,13 +125,6 @@ def analyze_signal(
     agitation = acoustic.agitation.agitation(contours, stretch.quality, reference)
     affect = acoustic.affect.affect_of(stretch, reference)
     return SignalAnalysis(signal, contours, stretch.quality, agitation, affect, notices + doubts(contours.energy_db))
-
-
-def hear_affect(
-    acoustic: AcousticModels, heard: SignalAnalysis, words: tuple[Word, ...], reference: SpeakerReference | None = None
-) -> LineAffect:
-    """The feeling of the line and of each phrase of the timed words."""
-    return line_affect(acoustic.affect, _stretch(heard), heard.affect, words, reference)
 
 
 def hear_sound(acoustic: AcousticModels, sound: Audio) -> Affect:

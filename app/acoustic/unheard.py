@@ -2,8 +2,6 @@
 stress by length and marks of emphasis, a neutral voice (Hartmann, Mancini & Pelachaud 2002, §5, whose agent speaks by a
 synthesizer).
 
-How stressed the words of a line are that nobody has spoken.
-
 Where only the text is known, each phrase between pauses has its accent on the word that the text marks as emphasized,
 else on its last content word (the nuclear stress rule, Chomsky & Halle 1968); other content words stand over function
 words. In a synthesizer's times accents can be heard by their length (`understudy.acoustic.stress.prominence`). Words
@@ -19,37 +17,41 @@ from ..errors import TooLargeError
 from ..model import (
     FRAME_SHIFT_S,
     NEUTRAL,
+    AffectTrack,
     Agitation,
     Contours,
     Filler,
+    Level,
     LineAffect,
-    Manner,
     Notice,
     Parse,
     PhraseAffect,
     Speaking,
     Timings,
+    Utterance,
     Word,
 )
-from .affect.line_affect import phrases_of
+from .affect.line_affect import given_line, phrases_of
 from .affect.manner import unheard_manners
 from .alignment.timings import read_fillers, read_timings
+from .models import AcousticModels
 from .pacing.pacing import paced, timed_elsewhere
-from .stage import AcousticModels
 from .stress.prominence import PAUSE_S, prominence
 from .stress.stress import Measure, with_emphasis
 
 
 @dataclass(frozen=True, slots=True)
 class UnheardLine:
-    """Words that nobody has spoken, with their times, and how long the line lasts; `emphasized` are
-    those that the text marks."""
+    """Words that nobody has spoken, with their times, and how long the line lasts; `emphasized` are those that the text
+    marks, `is_synthesized` says whether the times are a synthesizer's."""
 
     words: tuple[Word, ...]
     duration_s: float
     emphasized: frozenset[int]
     notices: tuple[Notice, ...]
     fillers: tuple[Filler, ...] = ()
+    is_synthesized: bool = False
+    signal: None = None
 
 
 def pace_words(
@@ -76,24 +78,51 @@ def pace_words(
         timed = read_timings(timings.content, timings.format, transcript, duration_s=limit_s)
         line = timed_elsewhere(pace, timed, read.words)
         fillers = read_fillers(timings.content, timings.format, duration_s=limit_s)
-    return UnheardLine(line.words, line.duration_s, emphasized, read.notices, fillers)
+    notices = (*_unread_tags(speaking), *read.notices)
+    return UnheardLine(line.words, line.duration_s, emphasized, notices, fillers, is_synthesized=timings is not None)
 
 
-def stress_unheard(acoustic: AcousticModels, line: UnheardLine, parse: Parse, *, timed: bool) -> tuple[Word, ...]:
-    """The words of the line with their prominence, emphasis and focus; `timed` if a synthesizer told their times."""
+def _unread_tags(speaking: Speaking) -> tuple[Notice, ...]:
+    """A notice of tags that say nothing here."""
+    if not speaking.unread_tags:
+        return ()
+    names = ", ".join(f"<{name}>" for name in speaking.unread_tags)
+    return (Notice("tags_unread", f"tags that are not read, only what is inside: {names}"),)
+
+
+def unheard_utterance(
+    acoustic: AcousticModels,
+    line: UnheardLine,
+    parse: Parse,
+    *,
+    agitation: Level | None = None,
+    affect: AffectTrack | None = None,
+) -> Utterance:
+    """The utterance of a line that nobody has spoken: the voice is calm and neutral unless they are given."""
+    words = _stressed(acoustic, line, parse)
+    level = Agitation.certain(agitation or Level.MEDIUM)
+    feeling = _neutral(words) if affect is None else given_line(affect, words, line.duration_s)
+    return Utterance(
+        words=words,
+        parse=parse,
+        agitation=level,
+        duration_s=line.duration_s,
+        fillers=line.fillers,
+        affect=feeling,
+        manners=unheard_manners(line.words, level, feeling, line.emphasized),
+    )
+
+
+def _stressed(acoustic: AcousticModels, line: UnheardLine, parse: Parse) -> tuple[Word, ...]:
+    """The words of the line with their prominence, emphasis and focus."""
     words, marked = line.words, line.emphasized
-    stressed = timed_stress(words, marked) if timed else usual_stress(words, parse, marked)
+    stressed = timed_stress(words, marked) if line.is_synthesized else usual_stress(words, parse, marked)
     return with_emphasis(stressed, Measure(acoustic.settings.emphasis))
 
 
-def unheard_affect(words: tuple[Word, ...]) -> LineAffect:
-    """The feeling of a line that nobody has spoken: neutral."""
+def _neutral(words: tuple[Word, ...]) -> LineAffect:
+    """The feeling of a line that nobody has spoken."""
     return LineAffect(NEUTRAL, tuple(PhraseAffect(first, last, NEUTRAL) for first, last in phrases_of(words)))
-
-
-def unheard_manner(line: UnheardLine, agitation: Agitation, affect: LineAffect) -> tuple[Manner, ...]:
-    """How a movement is made on each word of a line without a recording."""
-    return unheard_manners(line.words, agitation, affect, line.emphasized)
 
 
 CONTENT = frozenset({"NOUN", "PROPN", "VERB", "ADJ", "ADV", "NUM", "INTJ"})

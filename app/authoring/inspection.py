@@ -12,12 +12,12 @@ from math import inf
 
 from ..behavior.reading.decoding import usual_times_s
 from ..errors import InputError, did_you_mean
-from ..model import Analysis, Behavior, Fact, Function, Interval, Level, Moment, Utterance
+from ..model import Analysis, Behavior, Fact, Function, Interval, Level, Line, Moment, Utterance
 from ..model.schedule import DEFAULT_CHARACTER
 from ..models import BehaviorModels, LanguageModels, Understudy, load_function_rules, load_realizer
 from ..on_demand import OnDemand
 from ..options import Options
-from ..performance import perform_behaviors
+from ..performance import perform_line
 from ..rules.chaining.chainer import Derivation, derive
 from ..rules.chaining.matching import FactBase
 from ..rules.chaining.tracing import Firing, NearMiss, RuleTrace, Said, fires, trace_rule, trace_rules
@@ -66,20 +66,19 @@ class Unused:
     words: tuple[LexicalEntry, ...]
 
 
-def trace(language: LanguageModels, behavior: BehaviorModels, text: str, character: str = DEFAULT_CHARACTER) -> Trace:
+def trace(understudy: Understudy, text: str, character: str = DEFAULT_CHARACTER) -> Trace:
     """The rules that fired, those that nearly did, the plan, and what is shown at usual times. Raises InputError for an
     unusable text and an unknown character."""
-    return trace_heard(language, behavior, _at_usual_times(find_functions(language, text)), character)
+    return trace_heard(understudy, _at_usual_times(find_functions(understudy.language, text)), character)
 
 
-def trace_heard(
-    language: LanguageModels, behavior: BehaviorModels, analysis: Analysis, character: str = DEFAULT_CHARACTER
-) -> Trace:
+def trace_heard(understudy: Understudy, analysis: Analysis, character: str = DEFAULT_CHARACTER) -> Trace:
     """The same for an analysed recording."""
-    utterance = analysis.utterance
+    language, behavior, utterance = understudy.language, understudy.behavior, analysis.utterance
     found = derive_facts(language.rules, utterance)
     mapped = _mapped(behavior.rules, utterance, language.rules)
-    performance = perform_behaviors(behavior, analysis, Options(character=character), near=inf).performance
+    options = Options(character=character)
+    performance = perform_line(understudy, Line(None, ""), options, analysis=analysis, near=inf).performance
     return Trace(
         utterance,
         trace_rules(language.rules.program, found.facts),
@@ -100,8 +99,9 @@ def _at_usual_times(analysis: Analysis) -> Analysis:
     return replace(analysis, utterance=replace(analysis.utterance, words=timed, duration_s=LEAD_S + times_s[-1]))
 
 
-def trace_one(language: LanguageModels, behavior: BehaviorModels, text: str, *, rule: str) -> Trace:
+def trace_one(understudy: Understudy, text: str, *, rule: str) -> Trace:
     """Where one rule fired, or came nearest to it. Raises InputError `unknown_name` if there is no such rule."""
+    language, behavior = understudy.language, understudy.behavior
     of_functions, of_mappings = language.rules.program, behavior.rules.program
     program, chosen = _named(rule, (of_functions, of_mappings))
     utterance, found, mapped = _derived(language, behavior, text)

@@ -22,6 +22,7 @@ from ..model import (
     Direction,
     Level,
     Listening,
+    MappedFunctions,
     Moment,
     Notice,
     Performance,
@@ -136,23 +137,23 @@ def performer_of(
     analysis: Analysis,
     options: Options,
     *,
-    offers: Sequence[BehaviorCandidates],
-    demands: Sequence[Demand],
+    mapped: MappedFunctions,
     direction: Direction | None = None,
+    near: float = NEAR,
 ) -> Performer:
-    """The performer of an analysed line; `offers` and `demands` are those of the mapping rules (paper §3.4).
+    """The performer of an analysed line; `mapped` is what the mapping rules say of it (paper §3.4).
 
     Raises InputError `unknown_character`, `unknown_profile`.
     """
     profile = models.profile(options.profile)
     character = abstaining(models.performers.named(options.character, analysis.utterance.level), models.families)
     character = as_speaker(character, profile) if profile else character
-    always = wherever_offered(character.always, supports_of(offers), f"the character {character.name}")
+    always = wherever_offered(character.always, supports_of(mapped.offers), f"the character {character.name}")
     noted = tuple(named(direction.demands, character.entries)) if direction else ()
-    demands = (*demands, *always, *forbidden(character), *noted)
-    line = Understood(analysis.utterance, analysis.functions, analysis.facts, tuple(offers))
+    demands = (*mapped.demands, *always, *forbidden(character), *noted)
+    line = Understood(analysis.utterance, analysis.functions, analysis.facts, mapped.offers)
     player = _player(models, character, line, options, demands)
-    return Performer(models, character, profile, options, line, player, demands, direction)
+    return Performer(models, character, profile, options, line, player, demands, direction, near)
 
 
 def _player(

@@ -2,9 +2,10 @@
 
 from collections.abc import Sequence
 
+from ..acoustic.models import AcousticModels
 from ..acoustic.signal.decoding import decode
-from ..acoustic.stage import AcousticModels, analyze_signal, audio_limits
 from ..acoustic.stage import align as _align
+from ..acoustic.stage import analyze_signal, audio_limits
 from ..acoustic.stage import make_reference as _make_reference
 from ..errors import InputError
 from ..model import AlignedLine, Audio, Notice, SignalAnalysis, Timings

@@ -10,6 +10,7 @@ from ..model import Analysis, Direction, GivenFunction, Mode, Performance, Timin
 from ..model.edits import NO_EDITS, Edits
 from ..model.voice.signal import SpeakerReference
 from ..models import Understudy
+from ..options import Options
 from ..performance import PerformedLine, perform_analysis, perform_line
 from ..performance import analyze as analyze_line
 from ..performance import perform as _perform
@@ -134,4 +135,4 @@ def analyze(
 ) -> Analysis:
     """The analysis of a line before any movement is chosen: prosody, words, communicative functions (§3.1 to §3.3).
     Arguments and errors are those of `perform`."""
-    return analyze_line(models, line_of(audio, text, words, functions), reference=reference)
+    return analyze_line(models, line_of(audio, text, words, functions), Options(reference=reference))

@@ -15,7 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 import soxr
 
-from ..acoustic.stage import AcousticModels, hear_sound
+from ..acoustic.models import AcousticModels
+from ..acoustic.stage import hear_sound
 from ..model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Affect, Audio, FloatArray
 from .voice import StreamingVoice
 

@@ -15,7 +15,7 @@ from itertools import pairwise
 from ..acoustic.focus.focus import DECIMALS as FOCUS_DECIMALS
 from ..acoustic.stage import measure_stress
 from ..errors import InputError, shown
-from ..model import Affect, Analysis, Behavior, Interval, LineAffect, Phone, Utterance, Viseme, Word
+from ..model import Affect, Behavior, Interval, LineAffect, Phone, Utterance, Viseme, Word
 from ..models import Understudy
 from ..options import Options
 from ..performance import perform_analysis
@@ -99,7 +99,7 @@ def perform_words(
     understudy: Understudy, words: tuple[Word, ...], options: Options, now_s: float, affect: Affect | None = None
 ) -> PerformedPhrase:
     """What the rules make of timed words, spoken with that feeling as far as it was heard, so far as it can still be
-    begun. Raises InputError as `move` does."""
+    begun. Raises InputError as `perform_analysis` does."""
     intervals = [word.interval for word in words if word.interval]
     spoken = Interval(intervals[0].start_s, intervals[-1].end_s)
     begin_s = spoken.start_s - LEAD_IN_S
@@ -110,9 +110,7 @@ def perform_words(
         duration_s=spoken.end_s - begin_s,
         affect=None if affect is None else LineAffect(affect),
     )
-    known = understand(understudy.language.rules, utterance)
-    analysis = Analysis(utterance, known.functions, facts=known.facts)
-    performance = perform_analysis(understudy, analysis, options)
+    performance = perform_analysis(understudy, understand(understudy.language.rules, utterance), options)
     later = (replace(each, sync=each.sync.shifted(begin_s)) for each in performance.behaviors if each.kept)
     visemes = tuple(
         replace(each, interval=_moved(each.interval, begin_s))

@@ -10,7 +10,7 @@ of it. Import the values from here.
 """
 
 from .body import Channel, Hand
-from .choice import Alternative, BehaviorCandidates, Demand, Mode, Moment, Movement, Rejected
+from .choice import Alternative, BehaviorCandidates, Demand, MappedFunctions, Mode, Moment, Movement, Rejected
 from .direction import Avoidance, DirectedMoment, Direction
 from .functions import PLAIN, Argument, Because, Fact, Function, GivenFunction, Term
 from .language import Clause, Parse, Phrase, Token, Utterance
@@ -72,6 +72,7 @@ __all__ = [
     "LineAffect",
     "Listening",
     "Manner",
+    "MappedFunctions",
     "Mode",
     "Moment",
     "Movement",

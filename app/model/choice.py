@@ -118,3 +118,11 @@ class BehaviorCandidates:
         shown = self.moment or self.function
         assert shown is not None, "candidates show something"
         return -self.priority, shown.first, shown.last, shown.id
+
+
+@dataclass(frozen=True, slots=True)
+class MappedFunctions:
+    """What the mapping rules say of a line: what they offer for functions, and what they demand always or never."""
+
+    offers: tuple[BehaviorCandidates, ...] = ()
+    demands: tuple[Demand, ...] = ()

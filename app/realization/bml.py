@@ -30,7 +30,7 @@ from ..transcript import read_transcript
 from .motion import PreparedSchedule, last_s
 
 if TYPE_CHECKING:
-    from ..acoustic.stage import AcousticModels
+    from ..acoustic.models import AcousticModels
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ from types import MappingProxyType
 from typing import TypeVar
 
 from ..errors import AuthoringError, Mistake, collected
-from ..model import Because, Fact, Function, GivenFunction, Utterance
+from ..model import Analysis, Because, Fact, Function, GivenFunction, Utterance
 from ..yaml_files import Source
 from .chaining.chainer import Derivation, derive
 from .chaining.facts import utterance_facts
@@ -63,15 +63,6 @@ class FunctionRules:
         return cls(program, words, conflicts, priorities, (*priorities.facts(), *conflicts.facts()))
 
 
-@dataclass(frozen=True, slots=True)
-class Understanding:
-    """The functions of a line, and all facts about it, given and derived, in the predicates of `vocabulary.rules`,
-    including the functions' own."""
-
-    functions: tuple[Function, ...]
-    facts: tuple[Fact, ...]
-
-
 def derive_functions(
     rules: FunctionRules,
     utterance: Utterance,
@@ -87,9 +78,9 @@ def understand(
     utterance: Utterance,
     *,
     given: Sequence[GivenFunction] = (),
-) -> Understanding:
+) -> Analysis:
     """The functions of an utterance in order of first word, last word and class, including those that lost a conflict,
-    and all facts.
+    and all facts about it, given and derived, in the predicates of `vocabulary.rules`, the functions' own among them.
 
     `given` are functions that the caller already knows. Raises InputError for an unknown function, or words out of
     range.
@@ -101,7 +92,7 @@ def understand(
         key=lambda function: (function.first, function.last, function.class_name, function.subtype),
     )
     named = [replace(function, id=f"f{number}") for number, function in enumerate(found, start=1)]
-    return Understanding(resolved(named, rules.conflicts), derivation.facts)
+    return Analysis(utterance, resolved(named, rules.conflicts), facts=derivation.facts)
 
 
 def derive_facts(

@@ -15,7 +15,18 @@ from math import isinf, log
 from pathlib import Path
 
 from ..errors import AuthoringError, Mistake
-from ..model import Alternative, BehaviorCandidates, Demand, Fact, Function, Level, Movement, Term, Utterance
+from ..model import (
+    Alternative,
+    BehaviorCandidates,
+    Demand,
+    Fact,
+    Function,
+    Level,
+    MappedFunctions,
+    Movement,
+    Term,
+    Utterance,
+)
 from .chaining.chainer import Call, Choice, derive
 from .chaining.facts import utterance_facts
 from .language.tree import Choice as ChoiceTree
@@ -61,14 +72,6 @@ def offer_movements(
     return map_functions(rules, utterance, functions, seed=seed, facts=facts).offers
 
 
-@dataclass(frozen=True, slots=True)
-class Mapped:
-    """What the mapping rules say of a line: what they offer for functions, and what they demand always or never."""
-
-    offers: tuple[BehaviorCandidates, ...] = ()
-    demands: tuple[Demand, ...] = ()
-
-
 def map_functions(
     rules: MappingRules,
     utterance: Utterance,
@@ -76,7 +79,7 @@ def map_functions(
     *,
     seed: int,
     facts: Sequence[Fact] = (),
-) -> Mapped:
+) -> MappedFunctions:
     """The movements that could show each kept function, in order of the functions' words (paper §3.4), and what comes
     always or never, for a function or not.
 
@@ -91,7 +94,7 @@ def map_functions(
         BehaviorCandidates(kept[fact], tuple(_alternatives(pool, kept[fact], f"{seed} {text}")))
         for fact, pool in sorted(pools.items(), key=lambda item: _place(kept[item[0]]))
     )
-    return Mapped(offers, tuple(dict.fromkeys(demands)))
+    return MappedFunctions(offers, tuple(dict.fromkeys(demands)))
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,7 +20,8 @@ import soxr
 
 from benchmarks.acoustic.alignment import processor_s
 from benchmarks.pipeline import Stopwatch
-from understudy.acoustic.stage import AcousticModels, align_words, analyze_signal
+from understudy.acoustic.models import AcousticModels
+from understudy.acoustic.stage import align_words, analyze_signal
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray, Word
 from understudy.settings import Settings
 from understudy.transcript import read_transcript

@@ -25,8 +25,8 @@ from pathlib import Path
 from benchmarks.bml.schedule import DATA, Stages
 from understudy.behavior.choice.scheduling import schedule
 from understudy.behavior.listeners.listening import Listener, listen
-from understudy.model import Agitation, Behavior, Channel, Interval, Utterance, Word
-from understudy.rules.derivation import Understanding, understand
+from understudy.model import Agitation, Analysis, Behavior, Channel, Interval, Utterance, Word
+from understudy.rules.derivation import understand
 
 AMI = DATA / "ami"
 HELD_OUT = ("ES2008", "IS1003", "IS1009")
@@ -265,9 +265,7 @@ def drawn_turns(meetings: Iterable[dict[str, Person]]) -> list[tuple[Person, lis
     return turns
 
 
-def performed_turn(
-    stages: Stages, turn: Sequence[Word], seed: int
-) -> tuple[Utterance, Understanding, tuple[Behavior, ...]]:
+def performed_turn(stages: Stages, turn: Sequence[Word], seed: int) -> tuple[Utterance, Analysis, tuple[Behavior, ...]]:
     """What the rules understand of a turn and do with it; its time is from `BEFORE_S` before its first word."""
     words = tuple(_from_zero(turn, random.Random(seed)))
     utterance = Utterance(

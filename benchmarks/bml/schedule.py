@@ -33,6 +33,7 @@ from understudy.bml.markup.speech import FIRST_MOMENT_S
 from understudy.bml.writing.writer import to_document, write_bml
 from understudy.model import (
     Agitation,
+    Analysis,
     Behavior,
     BehaviorCandidates,
     Channel,
@@ -49,7 +50,7 @@ from understudy.model import (
 from understudy.model.formats.bml_form import BmlForm, TimeForm
 from understudy.models import BehaviorModels
 from understudy.resources import RULES, resource_folder
-from understudy.rules.derivation import FunctionRules, Understanding, understand
+from understudy.rules.derivation import FunctionRules, understand
 from understudy.rules.mapping import MappingRules, offer_movements
 from understudy.settings import Settings
 from understudy.syntax.parser import Parser
@@ -112,8 +113,8 @@ class Stages:
             behavior.performers.named(character, Level.MEDIUM),
         )
 
-    def candidates(self, utterance: Utterance, known: Understanding, seed: int) -> tuple[BehaviorCandidates, ...]:
-        """What could show the functions and the moments planned, as in `understudy.performance.perform_behaviors`."""
+    def candidates(self, utterance: Utterance, known: Analysis, seed: int) -> tuple[BehaviorCandidates, ...]:
+        """What could show the functions and the moments planned, as in `understudy.performance.perform_line`."""
         offers = offer_movements(self.mapping, utterance, known.functions, seed=seed, facts=known.facts)
         who = Player(self.behavior.families, self.character.entries, seed, self.character.liveliness)
         planned = plan(self.behavior.planner, Understood(utterance, known.functions, known.facts, offers), who)

@@ -21,7 +21,7 @@ TEXT = "No, that is a lot more important."
 
 
 def test_a_trace_has_every_rule_behind_functions_and_movements(understudy: Understudy) -> None:
-    traced = trace(understudy.language, understudy.behavior, TEXT)
+    traced = trace(understudy, TEXT)
     analysis = find_functions(understudy.language, TEXT)
     fired = {firing.rule.name for firing in traced.functions.firings}
     assert {function.rule for function in analysis.functions} <= fired
@@ -39,7 +39,7 @@ def test_a_trace_has_every_rule_behind_functions_and_movements(understudy: Under
 
 
 def test_a_trace_is_told_with_places_and_words_and_is_not_endless(understudy: Understudy) -> None:
-    lines = list(trace_lines(trace(understudy.language, understudy.behavior, TEXT)))
+    lines = list(trace_lines(trace(understudy, TEXT)))
     place = lines.index(next(line for line in lines if line.startswith("  negation_word  app/rules/functions/")))
     joined, found = (line.split() for line in lines[place + 1 : place + 3])
     assert joined == ["lexical(negation,", "plain,", "0,", "1)", "No,"]
@@ -50,18 +50,18 @@ def test_a_trace_is_told_with_places_and_words_and_is_not_endless(understudy: Un
 
 
 def test_one_rule_is_told_and_an_unknown_one_refused(understudy: Understudy) -> None:
-    traced = trace_one(understudy.language, understudy.behavior, TEXT, rule="show_negation")
+    traced = trace_one(understudy, TEXT, rule="show_negation")
     assert traced.functions.firings == ()
     assert {firing.rule.name for firing in traced.mappings.firings} == {"show_negation"}
     with pytest.raises(InputError) as caught:
-        trace_one(understudy.language, understudy.behavior, TEXT, rule="negation_wrod")
+        trace_one(understudy, TEXT, rule="negation_wrod")
     assert (caught.value.code, "negation_word" in caught.value.message) == ("unknown_name", True)
 
 
 def test_what_a_corpus_uses_is_not_unused(understudy: Understudy) -> None:
     language, body = understudy.language, understudy.behavior
     of_one, of_two = (find_unused(language, body, texts) for texts in ([TEXT], [TEXT, "Well, they must have left!"]))
-    traced = trace(language, body, TEXT)
+    traced = trace(understudy, TEXT)
     fired = {firing.rule.name for firing in (*traced.functions.firings, *traced.mappings.firings)}
     asserting = {rule.name for rule in of_one.rules if rule.kind == "assert"}
     assert asserting == {rule.name for rule in language.rules.program.rules if rule.name not in fired} | {

@@ -38,12 +38,7 @@ ALL = frozenset({"SURROUND", "INCLUSIVITY", "SWEEP_ALL"})
 
 @pytest.fixture(scope="module")
 def paper(understudy: Understudy) -> Understudy:
-    settings = Settings(emphasis="ratio", choice="priority")
-    return replace(
-        understudy,
-        acoustic=replace(understudy.acoustic, settings=settings),
-        behavior=replace(understudy.behavior, settings=settings),
-    )
+    return understudy.with_settings(Settings(emphasis="ratio", choice="priority"))
 
 
 @pytest.fixture(scope="module")

@@ -30,9 +30,9 @@ from understudy.behavior.reading.delivery import WORDS_ALONE, Delivery
 from understudy.behavior.reading.encoder import Encoder, Reading
 from understudy.behavior.stage import Performer, performer_of, plan_line
 from understudy.model import Channel, Moment, Performance
-from understudy.models import BehaviorModels
+from understudy.models import BehaviorModels, Understudy
 from understudy.options import Options
-from understudy.performance import perform_behaviors
+from understudy.performance import perform_analysis
 from understudy.rules.mapping import map_functions
 from understudy.settings import Settings
 
@@ -97,8 +97,12 @@ class Remembering:
 class Measure:
     """The models, and score.py."""
 
-    models: BehaviorModels
+    understudy: Understudy
     score: Any
+
+    @property
+    def models(self) -> BehaviorModels:
+        return self.understudy.behavior
 
     def performer(self, case: Case, seed: int) -> Performer:
         """Who performs a case."""
@@ -106,7 +110,7 @@ class Measure:
         mapped = map_functions(
             self.models.rules, analysis.utterance, analysis.functions, seed=seed, facts=analysis.facts
         )
-        return performer_of(self.models, analysis, Options(seed=seed), offers=mapped.offers, demands=mapped.demands)
+        return performer_of(self.models, analysis, Options(seed=seed), mapped=mapped)
 
     def planned(self, performer: Performer) -> tuple[list[Any], list[Any], list[Any]]:
         """Gestures, head movements and faces of a plan, as score.py reads them."""
@@ -176,7 +180,7 @@ def patched(constants: Constants) -> ExitStack:
 
 def judged(measure: Measure, cases: Sequence[Case], constants: Constants, seed: int = 0) -> dict[str, Counter[str]]:
     """The counts by way."""
-    own = replace(measure, models=with_constants(measure.models, constants))
+    own = replace(measure, understudy=replace(measure.understudy, behavior=with_constants(measure.models, constants)))
     totals: dict[str, Counter[str]] = defaultdict(Counter)
     with patched(constants):
         for case in cases:
@@ -223,11 +227,11 @@ def prices(measure: Measure, cases: Sequence[Case], constants: Constants) -> Non
     """Prints what whole performances reach at each price."""
     for price in STEPS["price"]:
         told = {**constants, "price": price}
-        models = with_constants(measure.models, told)
+        understudy = replace(measure.understudy, behavior=with_constants(measure.models, told))
         totals: dict[str, Counter[str]] = defaultdict(Counter)
         with patched(told):
             for case in cases:
-                judged_once = gestures_judged(measure, [case], [performed(models, case, 0)])
+                judged_once = gestures_judged(measure, [case], [performed(understudy, case, 0)])
                 totals[case.way] += judged_once + Counter(cases=1)
         each = ", ".join(
             f"{way} F {f_of(measure.score, counts):.3f} of {counts['n'] / counts['cases']:.2f} gestures a line"
@@ -241,9 +245,11 @@ def takes(measure: Measure, cases: Sequence[Case], constants: Constants) -> None
     best = None
     for temperature, variety in ((0.0, 0.0), *product(TEMPERATURES, VARIETIES)):
         told = {**constants, "TEMPERATURE": temperature, "VARIETY": variety}
-        models = with_constants(measure.models, told)
+        understudy = replace(measure.understudy, behavior=with_constants(measure.models, told))
         with patched(told):
-            made = [[performed(models, case, seed) for case in cases] for seed in range(SEEDS if temperature else 1)]
+            made = [
+                [performed(understudy, case, seed) for case in cases] for seed in range(SEEDS if temperature else 1)
+            ]
         worth = [f_of(measure.score, gestures_judged(measure, cases, each)) for each in made]
         mean = sum(worth) / len(worth)
         best = best or mean
@@ -257,8 +263,8 @@ def takes(measure: Measure, cases: Sequence[Case], constants: Constants) -> None
         )
 
 
-def performed(models: BehaviorModels, case: Case, seed: int) -> Performance:
-    return perform_behaviors(models, case.analysis, Options(seed=seed)).performance
+def performed(understudy: Understudy, case: Case, seed: int) -> Performance:
+    return perform_analysis(understudy, case.analysis, Options(seed=seed))
 
 
 def lexemes(performance: Performance) -> list[str]:
@@ -281,10 +287,11 @@ def main() -> None:
     parser.add_argument("--takes", type=int, help="choose the size of chance, on so many cases, and nothing else")
     arguments = parser.parse_args()
     cases: list[Case] = pickle.loads(arguments.cases.read_bytes())
-    models = BehaviorModels.load(Settings())
-    planner = models.planner
-    models = replace(models, planner=replace(planner, encoder=cast("Encoder", Remembering(planner.encoder))))
-    measure = Measure(models, load_score(arguments.directing, models.families.shows))
+    understudy = Understudy.for_words(Settings())
+    planner = understudy.behavior.planner
+    planner = replace(planner, encoder=cast("Encoder", Remembering(planner.encoder)))
+    models = replace(understudy.behavior, planner=planner)
+    measure = Measure(replace(understudy, behavior=models), load_score(arguments.directing, models.families.shows))
     now = {name: float(getattr(places[0], name)) for name, places in PLACES.items() if name in STEPS}
     now["price"] = planner.choice.price
     if arguments.takes:

@@ -19,7 +19,8 @@ from scipy.stats import kendalltau
 
 from understudy.acoustic.affect.manner import MEASURES, measures
 from understudy.acoustic.agitation.utterance_features import full_features
-from understudy.acoustic.stage import AcousticModels, analyze_signal
+from understudy.acoustic.models import AcousticModels
+from understudy.acoustic.stage import analyze_signal
 from understudy.model import FloatArray
 from understudy.settings import Settings
 

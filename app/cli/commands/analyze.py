@@ -24,13 +24,13 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     check_line(line, settings)
     from ...library.performing import analyze_line
     from ...library.writing import write_json
-    from ...models import Understudy  # imported late: arguments are checked before the models load
+    from ...models import Understudy
+    from ...options import Options  # imported late: arguments are checked before the models load
 
     with Understudy.load(settings) as understudy:
         reference = speaker_reference(understudy.acoustic, arguments.reference, log)
-        analysis = analyze_line(
-            understudy, line, agitation=level, affect=affect, reference=reference, progress=log.stage
-        )
+        options = Options(agitation=level, affect=affect, reference=reference)
+        analysis = analyze_line(understudy, line, options, log.stage)
     if arguments.plot and analysis.heard is not None:
         write(arguments.plot, plot(analysis, analysis.heard))
     write_standard(write_json(analysis, indent=2) + b"\n")

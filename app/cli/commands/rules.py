@@ -78,7 +78,7 @@ def _explain(arguments: argparse.Namespace, _log: Log) -> None:
 
 def _trace(arguments: argparse.Namespace, _log: Log) -> None:
     from ...authoring.inspection import trace, trace_one
-    from ...models import BehaviorModels, LanguageModels
+    from ...models import Understudy
     from ...settings import read_settings
     from ..outputs.traces import trace_lines
 
@@ -86,11 +86,11 @@ def _trace(arguments: argparse.Namespace, _log: Log) -> None:
     if arguments.audio is not None and arguments.rule is None:
         _print(trace_lines(_trace_heard(arguments, settings)))
         return
-    language, behavior = LanguageModels.load(settings), BehaviorModels.load(settings)
+    understudy = Understudy.for_words(settings)
     if arguments.rule is None:
-        found = trace(language, behavior, arguments.text, arguments.character)
+        found = trace(understudy, arguments.text, arguments.character)
     else:
-        found = trace_one(language, behavior, arguments.text, rule=arguments.rule)
+        found = trace_one(understudy, arguments.text, rule=arguments.rule)
     _print(trace_lines(found))
 
 
@@ -103,7 +103,7 @@ def _trace_heard(arguments: argparse.Namespace, settings: Settings) -> Trace:
     sound = read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio")
     with Understudy.load(settings) as understudy:
         analysis = analyze_line(understudy, Line(sound, arguments.text))
-        return trace_heard(understudy.language, understudy.behavior, analysis, arguments.character)
+        return trace_heard(understudy, analysis, arguments.character)
 
 
 def _unused(arguments: argparse.Namespace, _log: Log) -> None:

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import Self
 
 EMPHASISED = 0.5
 """A word counts as emphasised if its emphasis exceeds this."""
@@ -84,6 +85,11 @@ class Agitation:
     low: float
     medium: float
     high: float
+
+    @classmethod
+    def certain(cls, level: Level) -> Self:
+        """Full membership in one level."""
+        return cls(**{each.value: float(each is level) for each in Level})
 
     @property
     def level(self) -> Level:

@@ -167,7 +167,7 @@ def read_script(content: bytes) -> Performance:
     words = tuple(_word(number, word) for number, word in enumerate(form.words))
     lips, notices = visemes(words, form.duration_s)
     return Performance(
-        utterance=Utterance(words, Parse((), (), ()), _certain(form.agitation), duration_s=form.duration_s),
+        utterance=Utterance(words, Parse((), (), ()), Agitation.certain(form.agitation), duration_s=form.duration_s),
         functions=(),
         behaviors=behaviors_of(_matched(script), {}, led=True),
         character=form.character,
@@ -203,10 +203,6 @@ def _moved_starts(script: GestureScript) -> Iterator[Notice]:
 
 def _differ(one: Position, other: Position | None) -> bool:
     return other is not None and replace(one, swivel=other.swivel) != other
-
-
-def _certain(level: Level) -> Agitation:
-    return Agitation(**{each.value: float(each is level) for each in Level})
 
 
 def _script(form: GestureScriptForm) -> GestureScript:

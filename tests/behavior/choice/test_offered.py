@@ -8,12 +8,13 @@ import pytest
 
 from tests.behavior.candidates.test_demands import spoken
 from understudy.behavior.choice.offered import is_offered
-from understudy.model import Demand, Direction
+from understudy.model import Demand, Direction, Line
 from understudy.models import Understudy
 from understudy.options import Options
-from understudy.performance import perform_analysis, perform_behaviors
+from understudy.performance import perform_analysis, perform_line
 
 LINE = "No, I never said that it was the biggest house in town."
+NOTHING = Line(None, "")
 
 
 def test_each_offer_that_is_not_shown_says_why(understudy: Understudy) -> None:
@@ -55,7 +56,8 @@ def test_planned_movements_name_what_decided_them_largest_first(understudy: Unde
 
 
 def test_a_movement_that_is_offered_several_times_for_an_idea_is_told_once(understudy: Understudy) -> None:
-    behaviors = perform_behaviors(understudy.behavior, spoken(understudy, LINE), Options(), near=inf)
+    analysis = spoken(understudy, LINE)
+    behaviors = perform_line(understudy, NOTHING, Options(), analysis=analysis, near=inf)
     offered = [each for each in behaviors.performance.behaviors if is_offered(each)]
     assert not any("inf" in (each.reason or "") for each in offered)
     for one, other in combinations(offered, 2):
@@ -75,8 +77,8 @@ def test_what_is_shown_is_not_told_as_offered_too(understudy: Understudy) -> Non
 
 def test_only_what_came_near_is_told(understudy: Understudy) -> None:
     analysis = spoken(understudy, LINE)
-    near = perform_behaviors(understudy.behavior, analysis, Options()).performance.behaviors
-    every = perform_behaviors(understudy.behavior, analysis, Options(), near=inf).performance.behaviors
+    near = perform_analysis(understudy, analysis, Options()).behaviors
+    every = perform_line(understudy, NOTHING, Options(), analysis=analysis, near=inf).performance.behaviors
     assert sum(map(is_offered, near)) < 0.5 * sum(map(is_offered, every))
     assert [each for each in near if not is_offered(each)] == [each for each in every if not is_offered(each)]
 

@@ -18,19 +18,21 @@ from understudy.model import (
     Direction,
     Hand,
     Interval,
+    Line,
     Mode,
     Performance,
     Word,
 )
 from understudy.models import Understudy
 from understudy.options import Options
-from understudy.performance import perform_analysis, perform_behaviors
+from understudy.performance import perform_analysis, perform_line
 from understudy.realization import BmlInput, PreparedSchedule, prepare_schedule, realize_prepared
 from understudy.rules.stage import find_functions_in_all
 from understudy.schemas.gestures.script import read_script, script_json
 
 TEXT = "No, I told you that I have never seen so many people, and we all know it. What do you want from me?"
 WORD_S = 0.35
+NOTHING = Line(None, "")
 
 
 @pytest.fixture(scope="module")
@@ -99,7 +101,7 @@ def test_heads_and_eyes_follow_too(understudy: Understudy, analysis: Analysis) -
 
 def test_without_a_profile_there_is_no_script(understudy: Understudy, analysis: Analysis) -> None:
     with pytest.raises(InputError, match="name one"):
-        perform_behaviors(understudy.behavior, analysis, Options()).written_script()
+        perform_line(understudy, NOTHING, Options(), analysis=analysis).written_script()
     with pytest.raises(InputError, match="there is no profile 'sweepin'; did you mean 'sweeping'"):
         perform_analysis(understudy, analysis, Options(profile="sweepin"))
     with pytest.raises(InputError, match="mode prosody"):
@@ -107,7 +109,7 @@ def test_without_a_profile_there_is_no_script(understudy: Understudy, analysis: 
 
 
 def test_script_and_bml_are_played_as_performed(understudy: Understudy, analysis: Analysis) -> None:
-    performed = perform_behaviors(understudy.behavior, analysis, Options(profile="sweeping", seed=2))
+    performed = perform_line(understudy, NOTHING, Options(profile="sweeping", seed=2), analysis=analysis)
     performance, script = performed.performance, performed.written_script()
     read = read_script(script_json(script, performance.utterance, performance.character))
     wanted = {each.id: each for each in _gestures(performance)}
