@@ -24,13 +24,13 @@ from ..resources import RULES
 from ..rules.derivation import FunctionRules
 from ..rules.lexicon import SLOT, LexicalEntry
 from ..rules.mapping import MappingRules
-from ..rules.program.program import Mention, Rule
+from ..rules.program.program import FactMention, Rule
 from ..yaml_files import Source, entry_source
 
-__all__ = ["Catalogue", "Character", "Item", "Kind", "load_characters", "load_families", "load_gestures"]
+__all__ = ["Catalogue", "Character", "Item", "ItemKind", "load_characters", "load_families", "load_gestures"]
 
 
-class Kind(StrEnum):
+class ItemKind(StrEnum):
     """The kind of an item."""
 
     FUNCTION = "function"
@@ -45,7 +45,7 @@ class Item:
     author's comment, `source` its text. `needs` and `gives` are its conditions and conclusions as facts in rule
     notation; a behaviour is a fact with its name."""
 
-    kind: Kind
+    kind: ItemKind
     name: str
     class_name: str | None
     subtype: str | None
@@ -53,8 +53,8 @@ class Item:
     line: int
     comment: str
     source: str
-    needs: tuple[Mention, ...]
-    gives: tuple[Mention, ...]
+    needs: tuple[FactMention, ...]
+    gives: tuple[FactMention, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,8 +77,8 @@ class Catalogue:
     ) -> "Catalogue":
         """The catalogue of resources already loaded."""
         items = (
-            *(_rule_item(Kind.FUNCTION, rule, rule.asserts) for rule in functions.program.rules),
-            *(_rule_item(Kind.BEHAVIOR, rule, rule.joins) for rule in mappings.program.rules),
+            *(_rule_item(ItemKind.FUNCTION, rule, rule.asserts) for rule in functions.program.rules),
+            *(_rule_item(ItemKind.BEHAVIOR, rule, rule.joins) for rule in mappings.program.rules),
             *_family_items(lexicon_folder() / "acting" / "families.yaml", families),
             *_table_items(lexicon_folder() / "behaviors.yaml", characters.behavior_names),
             *(_word_item(entry, entry.subtype) for entry in functions.lexicon.entries if entry.subtype is not None),
@@ -109,7 +109,7 @@ def shown_path(path: Path) -> str:
     return str(path.relative_to(root)) if path.is_relative_to(root) else str(path)
 
 
-def _rule_item(kind: Kind, rule: Rule, mentions: Sequence[Mention]) -> Item:
+def _rule_item(kind: ItemKind, rule: Rule, mentions: Sequence[FactMention]) -> Item:
     """A rule, listed by the first function that it asserts or maps."""
     function = next((mention for mention in mentions if mention.predicate == "fcn"), None)
     return Item(
@@ -122,7 +122,7 @@ def _rule_item(kind: Kind, rule: Rule, mentions: Sequence[Mention]) -> Item:
         comment=rule.comment,
         source=rule.source,
         needs=rule.joins,
-        gives=(*rule.asserts, *(Mention(call, ()) for call in rule.calls)),
+        gives=(*rule.asserts, *(FactMention(call, ()) for call in rule.calls)),
     )
 
 
@@ -131,7 +131,7 @@ def _feeds(giver: Item, taker: Item) -> bool:
     return any(_is_one(given, needed) for given in giver.gives for needed in taker.needs)
 
 
-def _is_one(given: Mention, needed: Mention) -> bool:
+def _is_one(given: FactMention, needed: FactMention) -> bool:
     """Whether one fact can match the other; a function of any class matches none."""
     pairs = list(zip(given.arguments, needed.arguments, strict=False))
     if given.predicate != needed.predicate or (given.predicate == "fcn" and "$" in (pairs[0][0][0], pairs[0][1][0])):
@@ -149,7 +149,7 @@ def _family_items(path: Path, families: Families) -> Iterator[Item]:
         for family, behaviors in named.items():
             source = entry_source(sources, part, family)
             yield Item(
-                kind=Kind.BEHAVIOR,
+                kind=ItemKind.BEHAVIOR,
                 name=family_rule(part, family),
                 class_name=None,
                 subtype=None,
@@ -157,8 +157,8 @@ def _family_items(path: Path, families: Families) -> Iterator[Item]:
                 line=_key_line(source, (part, family)),
                 comment=f"the {part} of a moment planned as {family}; rules that know its words go first",
                 source="\n".join(map(_family_line, behaviors)),
-                needs=(Mention("moment", (family,)),),
-                gives=tuple(Mention(behavior.name, ()) for behavior in behaviors),
+                needs=(FactMention("moment", (family,)),),
+                gives=tuple(FactMention(behavior.name, ()) for behavior in behaviors),
             )
 
 
@@ -181,7 +181,16 @@ def _table_items(path: Path, names: Collection[str]) -> Iterator[Item]:
         line = source.mistake(("behaviors", name), "").line
         text = source.lines[line - 1].strip()
         yield Item(
-            Kind.BML, name, None, None, shown_path(source.path), line, "", text, needs=(Mention(name, ()),), gives=()
+            ItemKind.BML,
+            name,
+            None,
+            None,
+            shown_path(source.path),
+            line,
+            "",
+            text,
+            needs=(FactMention(name, ()),),
+            gives=(),
         )
 
 
@@ -192,7 +201,7 @@ def _word_item(entry: LexicalEntry, subtype: str) -> Item:
     ]
     example = [f"example: {entry.example.replace(SLOT, entry.phrase)}"] if entry.example else []
     return Item(
-        kind=Kind.WORD,
+        kind=ItemKind.WORD,
         name=entry.phrase,
         class_name=entry.class_name,
         subtype=subtype,
@@ -201,5 +210,5 @@ def _word_item(entry: LexicalEntry, subtype: str) -> Item:
         comment="",
         source="\n".join([*said, *example]),
         needs=(),
-        gives=(Mention("lexical", (entry.class_name, subtype)),),
+        gives=(FactMention("lexical", (entry.class_name, subtype)),),
     )

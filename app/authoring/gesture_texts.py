@@ -9,7 +9,7 @@ from pathlib import Path
 
 from ..errors import AuthoringError, InputError, Mistake, did_you_mean
 from ..model import Behavior, Channel, Hand, Level, Schedule, SyncPoints
-from ..model.figure import PLAIN_MANNER, Manner
+from ..model.figure import PLAIN_MANNER, GestureManner
 from ..realization import PreparedSchedule
 from ..realizer.arms.plausibility import Doubt, doubts
 from ..realizer.body.skeleton import Skeleton
@@ -74,7 +74,7 @@ class Playing:
     level: Level = Level.MEDIUM
     hand: Hand | None = None
     character: str = "default"
-    manner: Manner = PLAIN_MANNER
+    manner: GestureManner = PLAIN_MANNER
 
 
 def schedule_of_gesture(definition: Definition, playing: Playing) -> PreparedSchedule:

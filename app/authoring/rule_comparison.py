@@ -20,7 +20,7 @@ from .rule_edits import Edits, rules_wrong, with_edits
 
 
 @dataclass(frozen=True, slots=True)
-class Offer:
+class ComparedOffer:
     """A behaviour that a rule offers for a function, and the weight it has there."""
 
     name: str
@@ -31,7 +31,7 @@ class Offer:
     weight: float
 
 
-Said = TypeVar("Said", Function, Offer)
+Said = TypeVar("Said", Function, ComparedOffer)
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,8 +42,8 @@ class LineChange:
     words: tuple[Word, ...]
     functions_before: tuple[Function, ...]
     functions_after: tuple[Function, ...]
-    offers_before: tuple[Offer, ...]
-    offers_after: tuple[Offer, ...]
+    offers_before: tuple[ComparedOffer, ...]
+    offers_after: tuple[ComparedOffer, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +51,7 @@ class _Reading:
     """The functions and offers for a line; the ids of functions, which depend on their count, are left out."""
 
     functions: tuple[Function, ...]
-    offers: tuple[Offer, ...]
+    offers: tuple[ComparedOffer, ...]
 
 
 def example_lines(lexicon: Lexicon) -> Mapping[str, str]:
@@ -98,7 +98,9 @@ def _read(understudy: Understudy, utterance: Utterance) -> _Reading:
     known = understand(understudy.language.rules, utterance)
     offered = offer_movements(understudy.behavior.rules, utterance, known.functions, seed=0, facts=known.facts)
     offers = (
-        Offer(movement.name, movement.rule, each.function.class_name, movement.first, movement.last, choice.weight)
+        ComparedOffer(
+            movement.name, movement.rule, each.function.class_name, movement.first, movement.last, choice.weight
+        )
         for each in offered
         for choice in each.alternatives
         for movement in choice.movements

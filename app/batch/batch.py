@@ -16,10 +16,10 @@ from ..model.voice.signal import SpeakerReference
 from ..on_demand import OnDemand
 from ..settings import Settings
 from .casting.voices import keep_learnt, read_learnt
-from .manifest.entries import Entry, State, WrittenFile
+from .manifest.entries import ManifestEntry, State, WrittenFile
 from .manifest.hashes import KnownRecording, input_hash, installation_hash, settings_hash
 from .manifest.store import FILE, Manifest
-from .planning import Plan, entry_of, hopeless_entries, plan_batch, with_voices
+from .planning import BatchPlan, entry_of, hopeless_entries, plan_batch, with_voices
 from .reports.html_report import Heading, Thumbnail
 from .reports.writing import remove_reports, reports_are_there, write_reports
 from .request import BatchRequest
@@ -36,14 +36,14 @@ from .work.speaking import ReferenceJob
 class Work:
     """A line to be performed: its row in the manifest and its job."""
 
-    entry: Entry
+    entry: ManifestEntry
     job: LineJob
 
 
 class Watcher(Protocol):
     """Is notified of a batch's progress."""
 
-    def planned(self, plan: Plan) -> None:
+    def planned(self, plan: BatchPlan) -> None:
         """The script has been read and its lines matched with recordings."""
 
     def learning(self, voices: int) -> None:
@@ -52,13 +52,13 @@ class Watcher(Protocol):
     def begun(self, entries: int, done: int) -> None:
         """So many lines can be performed, and so many of them are done already."""
 
-    def ended(self, entry: Entry) -> None:
+    def ended(self, entry: ManifestEntry) -> None:
         """A line is done, or has failed."""
 
 
 def run_batch(
     request: BatchRequest, settings: Settings, make_engine: Callable[[], Engine], watcher: Watcher
-) -> tuple[Entry, ...]:
+) -> tuple[ManifestEntry, ...]:
     """Performs what is not done and returns the rows of all lines. `make_engine` is called only if there is something
     to do.
 
@@ -73,8 +73,8 @@ def run_batch(
 
 
 def _run(
-    plan: Plan, request: BatchRequest, settings: Settings, make_engine: Callable[[], Engine], watcher: Watcher
-) -> tuple[Entry, ...]:
+    plan: BatchPlan, request: BatchRequest, settings: Settings, make_engine: Callable[[], Engine], watcher: Watcher
+) -> tuple[ManifestEntry, ...]:
     """As `run_batch`; raises OSError where a report, a reference or a picture cannot be written."""
     with Manifest(request.out) as manifest, ExitStack() as stack:
         engine = OnDemand(lambda: stack.enter_context(closing(make_engine())))
@@ -100,7 +100,7 @@ def _run(
     return entries
 
 
-def entries_before(out: Path) -> dict[str, Entry]:
+def entries_before(out: Path) -> dict[str, ManifestEntry]:
     """The rows of an earlier run, none where there was none; raises InputError as `Manifest` does."""
     if not (out / FILE).exists():
         return {}
@@ -113,7 +113,7 @@ class Changed:
     """The differences from the manifest: lines to perform, rows to write first, and ids that are gone."""
 
     waiting: tuple[Work, ...]
-    rows: tuple[Entry, ...]
+    rows: tuple[ManifestEntry, ...]
     gone: frozenset[str]
 
     @property
@@ -121,7 +121,9 @@ class Changed:
         return not (self.waiting or self.rows or self.gone)
 
 
-def _changed(plan: Plan, work: Sequence[Work], before: Mapping[str, Entry], request: BatchRequest) -> Changed:
+def _changed(
+    plan: BatchPlan, work: Sequence[Work], before: Mapping[str, ManifestEntry], request: BatchRequest
+) -> Changed:
     hopeless = list(hopeless_entries(plan))
     waiting = [each for each in work if request.again or not _is_done(before.get(each.entry.id), each, request.out)]
     ids = {each.entry.id for each in work} | {entry.id for entry in hopeless}
@@ -130,7 +132,7 @@ def _changed(plan: Plan, work: Sequence[Work], before: Mapping[str, Entry], requ
 
 
 def _thumbnails(
-    request: BatchRequest, plan: Plan, entries: Sequence[Entry], engine: OnDemand[Engine]
+    request: BatchRequest, plan: BatchPlan, entries: Sequence[ManifestEntry], engine: OnDemand[Engine]
 ) -> dict[str, Thumbnail]:
     """Contact sheets of the lines most in need of a check, drawn where they do not exist yet."""
     paths = thumbnail_paths(entries, request.thumbnails)
@@ -143,7 +145,7 @@ def _thumbnails(
     return read_thumbnails(paths, request.out)
 
 
-def _work(plan: Plan, settings: Settings, manifest: Manifest) -> list[Work]:
+def _work(plan: BatchPlan, settings: Settings, manifest: Manifest) -> list[Work]:
     """The lines with their hashes; recordings are read only if they have changed."""
     known = manifest.known_recordings()
     hashes: dict[str, KnownRecording] = {}
@@ -160,7 +162,7 @@ def _work(plan: Plan, settings: Settings, manifest: Manifest) -> list[Work]:
     return work
 
 
-def _is_done(before: Entry | None, work: Work, out: Path) -> bool:
+def _is_done(before: ManifestEntry | None, work: Work, out: Path) -> bool:
     """Whether a line was performed from the same input, and its files are all there."""
     return (
         before is not None
@@ -177,7 +179,9 @@ def _size(path: Path) -> int | None:
         return None
 
 
-def _begun(work: Sequence[Work], waiting: Sequence[Work], before: Mapping[str, Entry]) -> Iterator[Entry]:
+def _begun(
+    work: Sequence[Work], waiting: Sequence[Work], before: Mapping[str, ManifestEntry]
+) -> Iterator[ManifestEntry]:
     """The rows that change before anything is performed: those that wait, and those that moved in the script."""
     waits = {each.entry.id for each in waiting}
     for each in work:
@@ -203,14 +207,14 @@ def _voices(
     return voices
 
 
-def _performed(waiting: Sequence[Work], engine: OnDemand[Engine], out: Path) -> Iterator[Entry]:
+def _performed(waiting: Sequence[Work], engine: OnDemand[Engine], out: Path) -> Iterator[ManifestEntry]:
     """The rows of the lines, as each line ends."""
     if waiting:
         for done in supervise(waiting, lambda work: engine.get().submit(work.job), places=engine.get().places):
             yield _entry(done, out)
 
 
-def _entry(done: Done[Work, LineOutcome], out: Path) -> Entry:
+def _entry(done: Done[Work, LineOutcome], out: Path) -> ManifestEntry:
     entry, outcome = done.job.entry, done.result
     if outcome is None or outcome.failure is not None:
         failure = outcome.failure if outcome else done.failure
@@ -229,7 +233,7 @@ def _entry(done: Done[Work, LineOutcome], out: Path) -> Entry:
     )
 
 
-def _remove_old(before: Entry | None, entry: Entry, out: Path) -> None:
+def _remove_old(before: ManifestEntry | None, entry: ManifestEntry, out: Path) -> None:
     """Removes files of the line's former version that it no longer has."""
     kept = {file.path for file in entry.outputs}
     for file in before.outputs if before else ():
@@ -240,7 +244,7 @@ def _remove_old(before: Entry | None, entry: Entry, out: Path) -> None:
 class Nobody:
     """Ignores all notifications."""
 
-    def planned(self, plan: Plan) -> None:
+    def planned(self, plan: BatchPlan) -> None:
         pass
 
     def learning(self, voices: int) -> None:
@@ -249,5 +253,5 @@ class Nobody:
     def begun(self, entries: int, done: int) -> None:
         pass
 
-    def ended(self, entry: Entry) -> None:
+    def ended(self, entry: ManifestEntry) -> None:
         pass

@@ -8,7 +8,7 @@ from pathlib import PurePosixPath
 from ..errors import InputError, did_you_mean
 from .model import Take
 from .work.formats import OutputFormat, extension_of
-from .work.jobs import Target
+from .work.jobs import OutputTarget
 
 PLACES = ("id", "character", "scene", "take", "row", "ext")
 USUAL = "{id}.{ext}"
@@ -39,7 +39,7 @@ class Layout:
         if PurePosixPath(self.text).is_absolute() or ".." in PurePosixPath(self.text).parts:
             self._refuse("it lies in the output folder; give no / before it and no .. in it")
 
-    def targets(self, take: Take, formats: Sequence[OutputFormat]) -> tuple[Target, ...]:
+    def targets(self, take: Take, formats: Sequence[OutputFormat]) -> tuple[OutputTarget, ...]:
         """The files of a line."""
         line = take.line
         values = {
@@ -49,7 +49,7 @@ class Layout:
             "take": str(take.number or 0),
             "row": str(line.row),
         }
-        return tuple(Target(form, self._path(values, extension_of(form))) for form in formats)
+        return tuple(OutputTarget(form, self._path(values, extension_of(form))) for form in formats)
 
     def _path(self, values: Mapping[str, str], ending: str) -> str:
         stem = self.text.removesuffix(".{ext}")
@@ -66,7 +66,7 @@ def file_name(value: str) -> str:
     return _FORBIDDEN.sub("_", value).strip(" .")[:_LONGEST] or "_"
 
 
-def require_apart(targets: Iterable[tuple[str, Target]]) -> None:
+def require_apart(targets: Iterable[tuple[str, OutputTarget]]) -> None:
     """Raises InputError `layout_wrong` when two lines would be written to the same file, or one to a file of the batch
     itself. Names are compared without case, as some file systems do."""
     owners: dict[str, str] = {}

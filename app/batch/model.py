@@ -41,7 +41,7 @@ class ScriptLine:
 
 
 @dataclass(frozen=True, slots=True)
-class Problem:
+class RowProblem:
     """Why a row is not a line that can be performed. `code` is stable; `column` is as people find it ("C (text)"),
     empty if it concerns the whole row; `id` is the line's, if known. `unit` is what rows are called in the script."""
 
@@ -70,7 +70,7 @@ class Script:
 
     path: Path
     lines: tuple[ScriptLine, ...]
-    problems: tuple[Problem, ...] = ()
+    problems: tuple[RowProblem, ...] = ()
     remarks: tuple[str, ...] = ()
     columns: tuple[tuple[str, str], ...] = ()
     unit: str = "row"

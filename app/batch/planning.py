@@ -21,10 +21,10 @@ from .casting.casting import Casting
 from .casting.voices import reference_jobs, speaker_of
 from .compressed import advice, converter, is_compressed
 from .layout import file_name, require_apart
-from .manifest.entries import Entry, State
+from .manifest.entries import ManifestEntry, State
 from .matching.joining import Joined, Missing, join_one_recording, join_recordings
 from .matching.recordings import find_recordings
-from .model import Problem, Script, Take, place_told
+from .model import RowProblem, Script, Take, place_told
 from .request import BatchRequest
 from .scripts.reading import read_script
 from .work.audio import AudioSource
@@ -33,7 +33,7 @@ from .work.speaking import ReferenceJob
 
 
 @dataclass(frozen=True, slots=True)
-class Plan:
+class BatchPlan:
     """What a batch has to do: the script, its lines matched with recordings, a job for each line that can be performed,
     and one for each speaker whose voice is to be learnt; `remarks` say what was guessed, or has no effect."""
 
@@ -44,7 +44,7 @@ class Plan:
     remarks: tuple[str, ...]
 
 
-def plan_batch(request: BatchRequest) -> Plan:
+def plan_batch(request: BatchRequest) -> BatchPlan:
     """Raises InputError for a script, recordings or options that cannot be used at all; problems of single lines are
     part of the plan."""
     script = read_script(request.script, request.columns, request.sheets)
@@ -64,19 +64,19 @@ def plan_batch(request: BatchRequest) -> Plan:
     voices = reference_jobs(_to_learn(casting, jobs)) if request.learns_voices else ()
     told = (replace(problem, unit=script.unit) for problem in problems)
     script = replace(script, problems=(*script.problems, *told))
-    return Plan(script, joined, jobs, voices, (*script.remarks, *casting.remarks(script.lines)))
+    return BatchPlan(script, joined, jobs, voices, (*script.remarks, *casting.remarks(script.lines)))
 
 
-def with_voices(plan: Plan, learnt: Mapping[str, SpeakerReference]) -> Plan:
+def with_voices(plan: BatchPlan, learnt: Mapping[str, SpeakerReference]) -> BatchPlan:
     """The plan with the learnt references, by speaker."""
     jobs = tuple((take, _with_voice(job, learnt.get(speaker_of(take.line.character)))) for take, job in plan.jobs)
     return replace(plan, jobs=jobs)
 
 
-def entry_of(place: int, take: Take, job: LineJob, *, input_hash: str, settings_hash: str) -> Entry:
+def entry_of(place: int, take: Take, job: LineJob, *, input_hash: str, settings_hash: str) -> ManifestEntry:
     """A line that waits to be performed, as a row of the manifest."""
     line, interval = take.line, job.audio.interval
-    return Entry(
+    return ManifestEntry(
         id=job.id,
         place=place,
         row=line.row,
@@ -92,7 +92,7 @@ def entry_of(place: int, take: Take, job: LineJob, *, input_hash: str, settings_
     )
 
 
-def hopeless_entries(plan: Plan) -> Iterator[Entry]:
+def hopeless_entries(plan: BatchPlan) -> Iterator[ManifestEntry]:
     """The rows of lines that cannot be performed: problems in the script, then lines without a recording. Their ids
     differ from those of the other lines."""
     used = {job.id for _take, job in plan.jobs}
@@ -165,9 +165,9 @@ def _require_spared(request: BatchRequest, jobs: Sequence[tuple[Take, LineJob]])
                 raise InputError("files_same", message, field="out")
 
 
-def _one_a_row(problems: Sequence[Problem]) -> Iterator[Problem]:
+def _one_a_row(problems: Sequence[RowProblem]) -> Iterator[RowProblem]:
     """The problems, those of a row combined into one."""
-    by_row: dict[tuple[str, int], Problem] = {}
+    by_row: dict[tuple[str, int], RowProblem] = {}
     for problem in problems:
         known = by_row.get((problem.sheet, problem.row))
         by_row[problem.sheet, problem.row] = (
@@ -176,22 +176,22 @@ def _one_a_row(problems: Sequence[Problem]) -> Iterator[Problem]:
     yield from by_row.values()
 
 
-def _failure(problem: Problem) -> Failure:
+def _failure(problem: RowProblem) -> Failure:
     return Failure(problem.code, str(problem))
 
 
-def _failed(place: int, row: int, name: str, failure: Failure, used: set[str], *, sheet: str = "") -> Entry:
+def _failed(place: int, row: int, name: str, failure: Failure, used: set[str], *, sheet: str = "") -> ManifestEntry:
     unique = name if name and name not in used else f"{name} ({place_told(row, sheet)})".strip()
     used.add(unique)
-    return Entry(unique, place, row, "", "", "", "", "", None, None, "", "", State.FAILED, failure=failure)
+    return ManifestEntry(unique, place, row, "", "", "", "", "", None, None, "", "", State.FAILED, failure=failure)
 
 
 ENDING = ".edits.json"
 
 
-def edits_of_takes(takes: Iterable[Take]) -> tuple[Mapping[str, Edits], tuple[Problem, ...]]:
+def edits_of_takes(takes: Iterable[Take]) -> tuple[Mapping[str, Edits], tuple[RowProblem, ...]]:
     """The edits by the id of the take, for takes that have any, and the problems with files of edits."""
-    found, problems = dict[str, Edits](), list[Problem]()
+    found, problems = dict[str, Edits](), list[RowProblem]()
     for take in takes:
         path = _path(take)
         try:
@@ -200,10 +200,10 @@ def edits_of_takes(takes: Iterable[Take]) -> tuple[Mapping[str, Edits], tuple[Pr
             elif path is not None:
                 found[take.id] = read_edits(path.read_bytes())
         except InputError as error:
-            problems.append(Problem(take.line.row, "", error.code, f"{path}: {error.message}", take.id))
+            problems.append(RowProblem(take.line.row, "", error.code, f"{path}: {error.message}", take.id))
         except OSError as error:
             message = f"{path}: cannot be read: {error.strerror}"
-            problems.append(Problem(take.line.row, "", "file_unreadable", message, take.id))
+            problems.append(RowProblem(take.line.row, "", "file_unreadable", message, take.id))
     return found, tuple(problems)
 
 

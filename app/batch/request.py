@@ -6,8 +6,8 @@ from pathlib import Path
 
 from ..options import Options
 from .layout import Layout
-from .matching.joining import Choice
-from .matching.recordings import Pattern
+from .matching.joining import TakeChoice
+from .matching.recordings import RecordingPattern
 from .work.formats import LineFormat, OutputFormat
 from .work.jobs import MotionForm
 
@@ -27,8 +27,8 @@ class BatchRequest:
     layout: Layout = field(default_factory=Layout)
     columns: Mapping[str, str] = field(default_factory=dict)
     sheets: tuple[str, ...] = ()
-    pattern: Pattern | None = None
-    choice: Choice = Choice.LAST
+    pattern: RecordingPattern | None = None
+    choice: TakeChoice = TakeChoice.LAST
     options: Options = field(default_factory=Options)
     motion: MotionForm = field(default_factory=MotionForm)
     cast: Path | None = None

@@ -10,17 +10,17 @@ from pathlib import Path
 
 from ..model.formats.motion_formats import MotionFormat
 from .layout import file_name
-from .manifest.entries import Entry, State
+from .manifest.entries import ManifestEntry, State
 from .reports.html_report import Thumbnail
 from .reports.writing import in_order_of_attention
-from .work.jobs import LineJob, Target
+from .work.jobs import LineJob, OutputTarget
 
 FOLDER = "thumbnails"
 WIDTH_PIXELS = 640
 _HASH_LETTERS = 10
 
 
-def thumbnail_paths(entries: Sequence[Entry], count: int) -> dict[str, str]:
+def thumbnail_paths(entries: Sequence[ManifestEntry], count: int) -> dict[str, str]:
     """The paths of the sheets for the first `count` lines that are done, relative to the output folder, by line id."""
     done = [entry for entry in in_order_of_attention(entries) if entry.state is State.DONE]
     return {
@@ -34,7 +34,7 @@ def thumbnail_jobs(jobs: Sequence[LineJob], paths: dict[str, str], out: Path) ->
     for job in jobs:
         path = paths.get(job.id)
         if path is not None and not (out / path).is_file():
-            yield replace(job, targets=(Target(MotionFormat.SHEET, path),))
+            yield replace(job, targets=(OutputTarget(MotionFormat.SHEET, path),))
 
 
 def remove_other_thumbnails(paths: dict[str, str], out: Path) -> None:

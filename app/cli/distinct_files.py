@@ -1,6 +1,6 @@
 """Prevents commands from overwriting their input, or writing two results to one file.
 
-Arguments that name files are of the types `InputFile` and `OutputFile`, so that every command is checked alike. Two
+Arguments that name files are of the types `InputFile` and `OutputName`, so that every command is checked alike. Two
 names are the same file if their inode is the same or they resolve to the same path; `-` is whatever the standard stream
 was redirected to. What is not a regular file (a terminal, /dev/null) may be named any number of times.
 """
@@ -21,7 +21,7 @@ class InputFile(str):
     __slots__ = ()
 
 
-class OutputFile(str):
+class OutputName(str):
     """The name of a file that is written; `-` is standard output."""
 
     __slots__ = ()
@@ -32,7 +32,7 @@ Identity = tuple[int, int] | Path | str
 file."""
 
 
-def require_distinct(arguments: argparse.Namespace, beside: Iterable[OutputFile] = ()) -> None:
+def require_distinct(arguments: argparse.Namespace, beside: Iterable[OutputName] = ()) -> None:
     """Raises InputError `files_same` where an output is also an input, or another output; `beside` are outputs whose
     names are derived from those in `arguments`."""
     named = [*_named(arguments), *(("output", name) for name in beside)]
@@ -42,7 +42,7 @@ def require_distinct(arguments: argparse.Namespace, beside: Iterable[OutputFile]
         if isinstance(name, InputFile) and (identity := _identity(name)) is not None
     }
     for field, name in named:
-        if not isinstance(name, OutputFile):
+        if not isinstance(name, OutputName):
             continue
         identity = _identity(name)
         if identity in taken:
@@ -54,7 +54,7 @@ def require_distinct(arguments: argparse.Namespace, beside: Iterable[OutputFile]
 def _named(arguments: argparse.Namespace) -> Iterator[tuple[str, str]]:
     for field, value in vars(arguments).items():
         for name in value if isinstance(value, list) else [value]:
-            if isinstance(name, InputFile | OutputFile):
+            if isinstance(name, InputFile | OutputName):
                 yield field, name
 
 
@@ -65,7 +65,7 @@ def _message(name: str, field: str, other: str) -> str:
 
 def _identity(name: str) -> Identity | None:
     """None for what is not a regular file."""
-    is_output = isinstance(name, OutputFile)
+    is_output = isinstance(name, OutputName)
     try:
         found = os.fstat(int(is_output)) if name == STANDARD else Path(name).stat()
     except FileNotFoundError:

@@ -17,7 +17,7 @@ from ..profiles.annotation.mistakes import AnnotationError
 from ..study.scoring.tables import AnswersError
 
 
-class Voice(StrEnum):
+class Audience(StrEnum):
     """For whom the log is written."""
 
     PEOPLE = "people"
@@ -29,18 +29,18 @@ class Voice(StrEnum):
 class Log:
     """Writes events to standard error."""
 
-    voice: Voice
+    voice: Audience
 
     @classmethod
     def for_arguments(cls, argv: Sequence[str]) -> "Log":
         """The voice that `argv` asks for, wherever the option is: mistakes in `argv` itself are reported in it too."""
         if "--json-log" in argv:
-            return cls(Voice.MACHINES)
-        return cls(Voice.QUIET if "--quiet" in argv else Voice.PEOPLE)
+            return cls(Audience.MACHINES)
+        return cls(Audience.QUIET if "--quiet" in argv else Audience.PEOPLE)
 
     def stage(self, name: str) -> None:
         """Reports that a stage of a performance begins."""
-        if self.voice is Voice.MACHINES:
+        if self.voice is Audience.MACHINES:
             _write(json.dumps({"event": "stage", "stage": name}))
 
     def warnings(self, notices: Sequence[Notice], *, of: str = "") -> None:
@@ -58,20 +58,20 @@ class Log:
 
     def event(self, name: str, fields: Mapping[str, object], message: str) -> None:
         """Reports a step of long work: all fields for machines, `message` for people, if there is one."""
-        if self.voice is Voice.MACHINES:
+        if self.voice is Audience.MACHINES:
             _write(json.dumps({"event": name, **fields}))
         elif message:
             self._say(name, message)
 
     def progress(self, message: str) -> None:
         """Reports the progress of long work to people; machines have its events."""
-        if self.voice is Voice.PEOPLE:
+        if self.voice is Audience.PEOPLE:
             _write(message)
 
     def error(self, error: UnderstudyError) -> None:
         """Reports the error that ended the command: on one line, or one line a mistake, with its source line in
         authored files."""
-        if self.voice is Voice.MACHINES:
+        if self.voice is Audience.MACHINES:
             field = error.field if isinstance(error, InputError) else None
             _write(json.dumps({"event": "error", "code": error.code, "field": field, "message": error.message}))
         elif isinstance(error, AuthoringError | AnnotationError | AnswersError):
@@ -82,7 +82,9 @@ class Log:
     def service_logging(self) -> dict[str, Any]:
         """The logging configuration of the service in this voice, for `logging.config.dictConfig`."""
         form = (
-            {"()": JsonLines} if self.voice is Voice.MACHINES else {"format": "%(levelname)s: %(message)s%(request)s"}
+            {"()": JsonLines}
+            if self.voice is Audience.MACHINES
+            else {"format": "%(levelname)s: %(message)s%(request)s"}
         )
         return {
             "version": 1,
@@ -91,13 +93,13 @@ class Log:
             "filters": {"request": {"()": "understudy.api.admission.headers.WithRequestId"}},
             "handlers": {"stderr": {"class": "logging.StreamHandler", "formatter": "line", "filters": ["request"]}},
             "loggers": {"uvicorn.access": {"level": "WARNING"}},
-            "root": {"handlers": ["stderr"], "level": "ERROR" if self.voice is Voice.QUIET else "INFO"},
+            "root": {"handlers": ["stderr"], "level": "ERROR" if self.voice is Audience.QUIET else "INFO"},
         }
 
     def _say(self, event: str, message: str, **fields: str) -> None:
-        if self.voice is Voice.MACHINES:
+        if self.voice is Audience.MACHINES:
             _write(json.dumps({"event": event, **fields, "message": message}))
-        elif self.voice is Voice.PEOPLE:
+        elif self.voice is Audience.PEOPLE:
             _write(message)
 
 

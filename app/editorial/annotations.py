@@ -14,7 +14,7 @@ from dataclasses import fields
 
 from ..model import SyncPoints
 from ..profiles.annotation.elan import write_elan
-from ..profiles.annotation.tracks import Span, Track, rows_of
+from ..profiles.annotation.tracks import Track, TrackSpan, rows_of
 from .events import TimelineEvent
 
 POINTS = ("ready", "stroke_start", "stroke", "stroke_end", "relax")
@@ -43,7 +43,7 @@ def _tier(row: Track, end_s: float) -> dict[str, object]:
     return {"class": "IntervalTier", "name": row.name, "xmin": 0, "xmax": end_s, "entries": entries}
 
 
-def _apart(spans: Sequence[Span]) -> list[Span]:
+def _apart(spans: Sequence[TrackSpan]) -> list[TrackSpan]:
     """The spans with a duration: Praat has no intervals of length 0."""
     return [span for span in spans if span.end_s > span.start_s]
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 
 from ..model import Behavior, Channel, Function, Schedule, SyncPoints, Word
-from ..profiles.annotation.tracks import Span, Track, with_attribute_tracks
+from ..profiles.annotation.tracks import Track, TrackSpan, with_attribute_tracks
 
 FUNCTIONS = "functions"
 TIERS: tuple[str, ...] = (FUNCTIONS, *(channel.value for channel in Channel))
@@ -61,14 +61,14 @@ def tracks_of(
     begins earlier is cut there.
     """
     said = tuple(
-        Span(*_cut(word.interval.start_s, word.interval.end_s, clock_starts_s), word.text)
+        TrackSpan(*_cut(word.interval.start_s, word.interval.end_s, clock_starts_s), word.text)
         for word in words
         if word.interval
     )
     tracks = [Track("words", said)] if said else []
     for tier in TIERS:
         shown = [event for event in events if event.tier == tier and event.end_s > clock_starts_s]
-        spans = (Span(*_cut(each.start_s, each.end_s, clock_starts_s), each.label, each.reasons) for each in shown)
+        spans = (TrackSpan(*_cut(each.start_s, each.end_s, clock_starts_s), each.label, each.reasons) for each in shown)
         tracks.append(Track(tier, tuple(spans)))
     return tuple(with_attribute_tracks(tracks))
 

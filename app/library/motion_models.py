@@ -7,7 +7,7 @@ from pathlib import Path
 from ..acoustic.stage import audio_limits
 from ..errors import InputError, shown
 from ..model import AffectTrack, Analysis
-from ..motion_models.affect import AffectModel
+from ..motion_models.affect import LinearAffectModel
 from ..motion_models.model import SCENARIOS, MotionModel, Scenario, is_model
 from ..motion_models.pairs import SOUNDS, Pair, PairFile, Voice, heard_voice, read_pair
 from ..motion_models.performing import laid_over, move, replaced_behaviors
@@ -160,5 +160,5 @@ def realize_moving(
     return Realized(schedule, replace(motion, decisions=(*motion.decisions, *told)))
 
 
-def _estimator() -> AffectModel:
-    return AffectModel.load(resource_folder("models") / "prosody_gestures" / "affect.npz")
+def _estimator() -> LinearAffectModel:
+    return LinearAffectModel.load(resource_folder("models") / "prosody_gestures" / "affect.npz")

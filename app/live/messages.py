@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from ..model import DEFAULT_CHARACTER, SAMPLE_RATE_HZ, Behavior
-from ..motion_models.playing import Phrase
+from ..motion_models.playing import AnnouncedPhrase
 from ..prosody_gestures.trellis import EVERYTHING, Search
 from .body import BodyFrame
 from .mouth import MouthShape
@@ -51,7 +51,7 @@ class MouthMessage:
 class PhraseMessage:
     """A phrase of a motion model begins."""
 
-    phrase: Phrase
+    phrase: AnnouncedPhrase
     heard_s: float
 
 

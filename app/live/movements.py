@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 from ..acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
 from ..model import Behavior, FloatArray
-from ..prosody_gestures.live_gestures import ANNOUNCED_S, DECIDED_S, LiveGestures, Phase
+from ..prosody_gestures.live_gestures import ANNOUNCED_S, DECIDED_S, LiveGestures, LivePhase
 from ..prosody_gestures.voice_model import VoiceModel
 from .placing import Placer, held_until, struck_at
 from .table import LiveTable
@@ -162,7 +162,7 @@ class LiveEvents:
         """The remaining events, when the sound has ended."""
         return self._told(self._gestures.finish(), heard_s)
 
-    def _told(self, phases: Iterable[Phase], heard_s: float) -> tuple[LiveEvent, ...]:
+    def _told(self, phases: Iterable[LivePhase], heard_s: float) -> tuple[LiveEvent, ...]:
         return tuple(
             LiveEvent(phase.part, phase.state, phase.start_s, heard_s, phase.decided)
             for phase in phases

@@ -62,7 +62,7 @@ class Looks:
 
 
 @dataclass(frozen=True, slots=True)
-class Manner:
+class GestureManner:
     """How a character varies every gesture of the library.
 
     `space` scales gesture space about its centre and `pace` the speed of all phases; `elbow_deg` turns the elbow
@@ -75,7 +75,7 @@ class Manner:
     wrist_deg: float = 0.0
 
 
-PLAIN_MANNER = Manner()
+PLAIN_MANNER = GestureManner()
 """Gestures unchanged from the library."""
 
 
@@ -85,7 +85,7 @@ class Figure:
 
     physique: Physique = Physique()
     looks: Looks = Looks()
-    manner: Manner = PLAIN_MANNER
+    manner: GestureManner = PLAIN_MANNER
     leading: Hand = Hand.RIGHT
 
 

@@ -32,7 +32,7 @@ MEASURES = (
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class AffectModel:
+class LinearAffectModel:
     """A linear model: `mean` and `scale` (measures) standardise; `weights` (measures × 3), `intercepts` (3) predict."""
 
     mean: FloatArray

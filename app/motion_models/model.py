@@ -35,7 +35,7 @@ from ..prosody_gestures.voice_model import decode
 from ..realizer.geometry.rotations import normalized, to_rotation_vector
 from .clustering import ParallelBranches
 from .pairs import Voice, arms_of
-from .unit_selection import Pool, Unit, Weights, paper_weights, thesis_weights
+from .unit_selection import MotionUnit, UnitPool, Weights, paper_weights, thesis_weights
 
 FORM = 1
 FEATURES = ("p", "a", "ap", "AP")
@@ -102,7 +102,7 @@ class MotionModel:
     emissions: Mapping[str, Emissions]
     fusion: Fusion
     intonation: ParallelBranches
-    units: tuple[Unit, ...]
+    units: tuple[MotionUnit, ...]
 
     def log_likelihoods(self, voice: Voice, features: str) -> FloatArray:
         """Those of each kind (frames × kinds) by a set of features."""
@@ -117,8 +117,8 @@ class MotionModel:
         """The likeliest kinds of movements for a whole recording."""
         return decode(self.kinds, self.log_likelihoods(voice, features), search)
 
-    def pool(self) -> Pool:
-        return Pool.of(self.units)
+    def pool(self) -> UnitPool:
+        return UnitPool.of(self.units)
 
     def content(self) -> bytes:
         """The file, the same bytes for the same model."""
@@ -158,12 +158,12 @@ def is_model(path: Path) -> bool:
 
 def units_of(
     path: Sequence[Segment], joints: tuple[str, ...], rotations: FloatArray, affect: FloatArray
-) -> Iterator[Unit]:
+) -> Iterator[MotionUnit]:
     """The units of a recording: its motion, cut where its phrases begin."""
     angles = arm_angles(joints, rotations)
     for each in path:
         part = slice(each.start, each.end)
-        yield Unit(each.state, rotations[part], angles[[each.start, each.end - 1]], affect[part].mean(axis=0))
+        yield MotionUnit(each.state, rotations[part], angles[[each.start, each.end - 1]], affect[part].mean(axis=0))
 
 
 def arm_angles(joints: tuple[str, ...], rotations: FloatArray) -> FloatArray:
@@ -221,7 +221,7 @@ def _read(arrays: Mapping[str, FloatArray]) -> MotionModel:
     )
 
 
-def _units(joints: tuple[str, ...], numbers: Mapping[str, FloatArray]) -> Iterator[Unit]:
+def _units(joints: tuple[str, ...], numbers: Mapping[str, FloatArray]) -> Iterator[MotionUnit]:
     rotations = normalized(numbers["motion"])
     angles = arm_angles(joints, rotations)
     ends = np.cumsum(numbers["unit_frames"]).astype(int).tolist()
@@ -230,4 +230,4 @@ def _units(joints: tuple[str, ...], numbers: Mapping[str, FloatArray]) -> Iterat
     if ends[-1] != len(rotations):
         raise ValueError("its units are not as long as its motion")
     for state, start, end, affect in zip(states, starts, ends, affects, strict=True):
-        yield Unit(state, rotations[start:end], angles[[start, end - 1]], affect)
+        yield MotionUnit(state, rotations[start:end], angles[[start, end - 1]], affect)

@@ -28,7 +28,7 @@ from ..model import AffectTrack, FloatArray
 from ..prosody_gestures.prosody import features, raw_frames
 from ..prosody_gestures.semi_markov import FRAME_S
 from ..realizer.realizing import Realizer
-from .affect import AffectModel
+from .affect import LinearAffectModel
 from .bodies import ARMS, WIDTH_TO_HEIGHT, BodyTrack, body_of_bvh, body_of_points, resampled
 
 SOUNDS = (".wav", ".flac", ".ogg")
@@ -71,7 +71,9 @@ class Pair:
     rotations: FloatArray
 
 
-def heard_voice(energy_db: FloatArray, f0_hz: FloatArray, affect: AffectTrack | None, estimator: AffectModel) -> Voice:
+def heard_voice(
+    energy_db: FloatArray, f0_hz: FloatArray, affect: AffectTrack | None, estimator: LinearAffectModel
+) -> Voice:
     """The voice of contours, a row each .01 s, with its affect as it is given or else estimated."""
     raw = raw_frames(energy_db, f0_hz)
     if affect is None:
@@ -80,7 +82,7 @@ def heard_voice(energy_db: FloatArray, f0_hz: FloatArray, affect: AffectTrack | 
     return Voice(features(raw), np.array([(each.activation, each.valence, each.dominance) for each in given]))
 
 
-def read_pair(file: PairFile, realizer: Realizer, estimator: AffectModel, limits: AudioLimits) -> Pair:
+def read_pair(file: PairFile, realizer: Realizer, estimator: LinearAffectModel, limits: AudioLimits) -> Pair:
     """Both at the same frames, as long as both last. Raises InputError `bvh_wrong` and `pairs_wrong`, and as the
     decoding of sound does, with the file's name."""
     if file.motion.suffix == ".npz":

@@ -21,13 +21,13 @@ from ..prosody_gestures.trellis import EVERYTHING, Search
 from ..realizer.geometry.rotations import nearest_sign, normalized
 from .model import THESIS_ALPHA, MotionModel, arm_angles
 from .pairs import Voice
-from .unit_selection import Unit, led_over
+from .unit_selection import MotionUnit, led_over
 
 AFFECTS = 3
 
 
 @dataclass(frozen=True, slots=True)
-class Phrase:
+class AnnouncedPhrase:
     """A phrase of this `kind` begins at `start_s`; it is `decided`, or announced."""
 
     kind: int
@@ -48,15 +48,15 @@ class UnitPlayer:
         self._levels_db, self._pitches_hz = np.empty(0), np.empty(0)
         self._base = self._frames = 0
         self._kind: int | None = None
-        self._unit: Unit | None = None
+        self._unit: MotionUnit | None = None
         self._track: FloatArray | None = None
         self._began_s = 0.0
 
-    def hear(self, energy_db: FloatArray, f0_hz: FloatArray) -> tuple[Phrase, ...]:
+    def hear(self, energy_db: FloatArray, f0_hz: FloatArray) -> tuple[AnnouncedPhrase, ...]:
         """The phrases that are announced and decided by more of the contours."""
         self._levels_db = np.concatenate([self._levels_db, energy_db])
         self._pitches_hz = np.concatenate([self._pitches_hz, f0_hz])
-        found: list[Phrase] = []
+        found: list[AnnouncedPhrase] = []
         while self._frames < whole_frames(self._base + len(self._pitches_hz)):
             found += self._told_by_frame()
         done = max(0, int((self._frames * FRAME_S - HALF_WINDOW_S) / FRAME_SHIFT_S) - self._base - 1)
@@ -76,7 +76,7 @@ class UnitPlayer:
         assert self._track is not None, "a unit has begun"
         return self._shown(self._track, at_s)
 
-    def _told_by_frame(self) -> Iterator[Phrase]:
+    def _told_by_frame(self) -> Iterator[AnnouncedPhrase]:
         raw = raw_frame(self._levels_db, self._pitches_hz, self._frames, self._base)
         voice = Voice(np.array([self._normalizer.push(*raw)]), np.zeros((1, AFFECTS)))
         start_s = self._frames * FRAME_S
@@ -85,10 +85,10 @@ class UnitPlayer:
         kind = self._announcing.changed(self._decoder.scores())
         if kind is not None:
             self._kind = kind
-            yield Phrase(kind, start_s, decided=False)
+            yield AnnouncedPhrase(kind, start_s, decided=False)
         for piece in decided:
             if piece.begins:
-                yield Phrase(piece.segment.state, piece.segment.start * FRAME_S, decided=True)
+                yield AnnouncedPhrase(piece.segment.state, piece.segment.start * FRAME_S, decided=True)
 
     def _begin(self, kind: int, before: FloatArray, at_s: float) -> None:
         """Goes over to the unit of this kind that costs least, another than the one before where there is one."""

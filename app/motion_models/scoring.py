@@ -25,7 +25,7 @@ from .clustering import canonical_correlation, energy_difference, kinetic_energy
 from .model import FEATURES, LABELS, SCENARIOS, MotionModel, Scenario, arm_angles
 from .pairs import Pair, arms_of, with_common_joints
 from .performing import move
-from .training import Learning, Movements, learn
+from .training import Learning, MotionSegmenter, learn
 
 AFFECTS = ("activation", "valence", "dominance")
 
@@ -87,7 +87,7 @@ class Scores:
 class Trial:
     """A recording, a model, and what the recording's own motion is segmented into by the model's kinds."""
 
-    def __init__(self, pair: Pair, model: MotionModel, movements: Movements) -> None:
+    def __init__(self, pair: Pair, model: MotionModel, movements: MotionSegmenter) -> None:
         self.pair, self.model = pair, model
         self.original = movements.segment(pair)
 

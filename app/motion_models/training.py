@@ -9,7 +9,7 @@ import numpy as np
 from ..errors import InputError
 from ..model import FloatArray
 from ..progress import Progress, no_progress
-from ..prosody_gestures.counting import Counts, Smoothing, count, count_labels
+from ..prosody_gestures.counting import Counts, CountSmoothing, count, count_labels
 from ..prosody_gestures.mixtures import MixtureOptions, fit_mixtures
 from ..prosody_gestures.semi_markov import FRAME_S, Emissions, IntArray, Segment, SemiMarkovModel, states_by_frame
 from .clustering import STRETCH_FRAMES, ParallelBranches, cluster_correlation, fewest_clusters, learn_branches
@@ -27,7 +27,7 @@ LABELS_OF_PROSODY = 20
 
 _STRETCHES_A_KIND = 3
 _FEWEST_KINDS = 2
-_SMOOTHING = Smoothing(added=0.01)
+_SMOOTHING = CountSmoothing(added=0.01)
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,12 +43,12 @@ class Learnt:
     """A model, the movements' clusters, how streams were scaled, and what each pair was segmented into."""
 
     model: MotionModel
-    movements: "Movements"
+    movements: "MotionSegmenter"
     paths: tuple[list[Segment], ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Movements:
+class MotionSegmenter:
     """Segments motion: arms' angles and their changes (AHG eq. 1, 2), scaled by `mean` and `deviation`."""
 
     mean: FloatArray
@@ -70,7 +70,7 @@ def learn(pairs: Sequence[Pair], learning: Learning = Learning(), progress: Prog
     kinds = learning.kinds or chosen_kinds(pairs, scaled, learning.seed, progress)
     _require_enough(scaled, kinds)
     progress(f"cluster into {kinds} kinds")
-    movements = Movements(mean, deviation, learn_branches(scaled, kinds, seed=learning.seed))
+    movements = MotionSegmenter(mean, deviation, learn_branches(scaled, kinds, seed=learning.seed))
     paths = [movements.branches.segment(stream) for stream in scaled]
     progress("learn when they come")
     model = _model(pairs, paths, kinds, learning.seed)

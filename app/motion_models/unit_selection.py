@@ -37,7 +37,7 @@ SMOOTHING_S = 0.2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Unit:
+class MotionUnit:
     """A motion clip in one state: local `rotations` (frames × joints × 4), the `angles` by which it is joined, of its
     first and its last frame (2 × angles), and its mean activation, valence and dominance."""
 
@@ -74,20 +74,20 @@ def paper_weights(alpha: float, betas: tuple[float, float, float] = (0.30, 0.35,
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Pool:
+class UnitPool:
     """The units of each state."""
 
-    units: Mapping[int, Sequence[Unit]]
+    units: Mapping[int, Sequence[MotionUnit]]
 
     @classmethod
-    def of(cls, units: Sequence[Unit]) -> "Pool":
-        by_state: dict[int, list[Unit]] = {}
+    def of(cls, units: Sequence[MotionUnit]) -> "UnitPool":
+        by_state: dict[int, list[MotionUnit]] = {}
         for unit in units:
             by_state.setdefault(unit.state, []).append(unit)
         return cls(by_state)
 
 
-def select(path: Sequence[Segment], affects: FloatArray, pool: Pool, weights: Weights) -> list[Unit]:
+def select(path: Sequence[Segment], affects: FloatArray, pool: UnitPool, weights: Weights) -> list[MotionUnit]:
     """The units with the lowest total cost for a path; `affects` are those of its segments (segments × 3).
 
     Raises InputError `no_units` if a state of the path has none.
@@ -110,7 +110,7 @@ def select(path: Sequence[Segment], affects: FloatArray, pool: Pool, weights: We
     return [units[place] for units, place in zip(offered, reversed(chosen), strict=True)]
 
 
-def _fitting(segment: Segment, affect: FloatArray, units: Sequence[Unit], weights: Weights) -> FloatArray:
+def _fitting(segment: Segment, affect: FloatArray, units: Sequence[MotionUnit], weights: Weights) -> FloatArray:
     """The duration and affect cost of each unit in a segment."""
     durations_s = np.array([unit.duration_s for unit in units])
     affects = np.stack([unit.affect for unit in units])
@@ -119,7 +119,7 @@ def _fitting(segment: Segment, affect: FloatArray, units: Sequence[Unit], weight
     return costs
 
 
-def _joints(before: Sequence[Unit], after: Sequence[Unit], weights: Weights) -> FloatArray:
+def _joints(before: Sequence[MotionUnit], after: Sequence[MotionUnit], weights: Weights) -> FloatArray:
     """The unweighted cost of joining each unit (column) to each predecessor (row)."""
     ends, begins = (np.stack([unit.angles[place] for unit in units]) for units, place in ((before, -1), (after, 0)))
     squares = (ends**2).sum(axis=1)[:, None] + (begins**2).sum(axis=1) - 2 * ends @ begins.T
@@ -128,7 +128,7 @@ def _joints(before: Sequence[Unit], after: Sequence[Unit], weights: Weights) -> 
     return joints
 
 
-def motion_of(path: Sequence[Segment], units: Sequence[Unit]) -> FloatArray:
+def motion_of(path: Sequence[Segment], units: Sequence[MotionUnit]) -> FloatArray:
     """The rotations of a path (frames × joints × 4): units stretched to their segments; the discontinuity at each joint
     is removed by a turn that decays exponentially."""
     parts: list[FloatArray] = []

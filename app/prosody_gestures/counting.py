@@ -18,7 +18,7 @@ from .semi_markov import DiscreteEmissions, IntArray, Segment
 
 
 @dataclass(frozen=True, slots=True)
-class Smoothing:
+class CountSmoothing:
     """`added` is a pseudo-count divided among the initial states, and among each state's successors, durations and
     labels; `spread` is the width of the kernel over durations, a standard deviation of their logarithm (0: none)."""
 
@@ -26,7 +26,7 @@ class Smoothing:
     spread: float = 0.15
 
 
-PLAIN = Smoothing(added=0.0, spread=0.0)
+PLAIN = CountSmoothing(added=0.0, spread=0.0)
 """As printed: unseen events are impossible."""
 
 
@@ -40,7 +40,7 @@ class Counts:
 
 
 def count(
-    paths: Iterable[Sequence[Segment]], states: int, longest_frames: int, smoothing: Smoothing = Smoothing()
+    paths: Iterable[Sequence[Segment]], states: int, longest_frames: int, smoothing: CountSmoothing = CountSmoothing()
 ) -> Counts:
     """The probabilities estimated from paths. Durations are clipped to `longest_frames`."""
     initial, followers = np.zeros(states), np.zeros((states, states))

@@ -38,7 +38,7 @@ DECIDED_S = ANNOUNCED_S + BOUND_S
 
 
 @dataclass(frozen=True, slots=True)
-class Phase:
+class LivePhase:
     """A phase of a part of the body: `part` is in `state` from `start_s` to `end_s`.
 
     `decided` phases are final and contiguous; one that does not `begin` continues the one before it. Others are
@@ -62,7 +62,7 @@ class LiveGestures:
         self._levels_db, self._pitches_hz = np.empty(0), np.empty(0)
         self._base = self._frames = 0
 
-    def hear(self, energy_db: FloatArray, f0_hz: FloatArray) -> tuple[Phase, ...]:
+    def hear(self, energy_db: FloatArray, f0_hz: FloatArray) -> tuple[LivePhase, ...]:
         """Takes more of the contours (one row each `FRAME_SHIFT_S`; f0 is 0 where unvoiced) and returns the phases
         announced and decided by them."""
         self._levels_db = np.concatenate([self._levels_db, energy_db])
@@ -73,7 +73,7 @@ class LiveGestures:
         self._base += done
         return tuple(phases)
 
-    def finish(self) -> tuple[Phase, ...]:
+    def finish(self) -> tuple[LivePhase, ...]:
         """Ends the stream and returns the remaining phases."""
         phases = [phase for row in self._context.finish() for phase in self._told(row)]
         return (*phases, *(phase for part in self._parts for phase in part.finish()))
@@ -81,14 +81,14 @@ class LiveGestures:
     def _next_frame(self) -> bool:
         return self._frames < whole_frames(self._base + len(self._pitches_hz))
 
-    def _told_by_frame(self) -> Iterator[Phase]:
+    def _told_by_frame(self) -> Iterator[LivePhase]:
         raw = raw_frame(self._levels_db, self._pitches_hz, self._frames, self._base)
         self._frames += 1
         row = self._context.push(np.array(self._normalizer.push(*raw)))
         if row is not None:
             yield from self._told(row)
 
-    def _told(self, row: FloatArray) -> Iterator[Phase]:
+    def _told(self, row: FloatArray) -> Iterator[LivePhase]:
         for part in self._parts:
             yield from part.push(row)
 
@@ -101,25 +101,25 @@ class _LivePart:
         self._announcing = Announcing(part.model.states)
         self._frames = 0
 
-    def push(self, row: FloatArray) -> Iterator[Phase]:
+    def push(self, row: FloatArray) -> Iterator[LivePhase]:
         """Takes one more frame (`WIDTH`) and returns the phases it announces and decides."""
         decided = self._decoder.push(self._part.log_likelihoods(row[None])[0])
         state = self._announcing.changed(self._decoder.scores())
         if state is not None:
             start_s = self._frames * FRAME_S
-            yield Phase(self._part.part, self._named(state), start_s, start_s + FRAME_S, begins=True, decided=False)
+            yield LivePhase(self._part.part, self._named(state), start_s, start_s + FRAME_S, begins=True, decided=False)
         self._frames += 1
         yield from map(self._phase, decided)
 
-    def finish(self) -> Iterator[Phase]:
+    def finish(self) -> Iterator[LivePhase]:
         return map(self._phase, self._decoder.finish())
 
     def _named(self, state: int) -> str:
         return self._part.model.states[state]
 
-    def _phase(self, piece: Piece) -> Phase:
+    def _phase(self, piece: Piece) -> LivePhase:
         start_s, end_s = piece.segment.start * FRAME_S, piece.segment.end * FRAME_S
-        return Phase(self._part.part, self._named(piece.segment.state), start_s, end_s, piece.begins, decided=True)
+        return LivePhase(self._part.part, self._named(piece.segment.state), start_s, end_s, piece.begins, decided=True)
 
 
 class Announcing:

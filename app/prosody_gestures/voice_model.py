@@ -22,7 +22,7 @@ import numpy as np
 from ..errors import InputError, ServiceError
 from ..model import FloatArray
 from .context import WIDTH, in_context
-from .counting import Smoothing, count
+from .counting import CountSmoothing, count
 from .mixtures import MixtureOptions, fit_mixtures
 from .prosody import features, raw_frames
 from .semi_markov import IntArray, MixtureEmissions, Segment, SemiMarkovModel, states_by_frame
@@ -107,7 +107,7 @@ def learn_part(
     discriminants = fit_discriminants(rows, kinds)
     projected = discriminants.project(rows)
     emissions = fit_mixtures([projected[kinds == state] for state in range(len(states))], MIXTURES)
-    counts = count([path for _, path in examples], len(states), LONGEST_FRAMES, Smoothing())
+    counts = count([path for _, path in examples], len(states), LONGEST_FRAMES, CountSmoothing())
     model = SemiMarkovModel(states, counts.log_initial, counts.log_transition, counts.log_duration, emissions)
     return PartModel(part, discriminants, model)
 

@@ -51,7 +51,7 @@ _LARGEST_SEED = 2**64 - 1
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Performer:
+class RealizedCharacter:
     """A character as it is realized: its body, its looks, the gestures of the library in its manner, and the hand that
     leads in those of both."""
 
@@ -61,7 +61,7 @@ class Performer:
     leading: Hand
 
     @classmethod
-    def of(cls, figure: Figure, library: Library) -> "Performer":
+    def of(cls, figure: Figure, library: Library) -> "RealizedCharacter":
         """The performer whose figure this is."""
         skeleton = Skeleton.standing(Proportions(figure.physique))
         return cls(skeleton, figure.looks, library.in_manner(figure.manner), figure.leading)
@@ -72,8 +72,8 @@ class Realizer:
     """The resources that realization needs, loaded once: performers by the names of their characters, the average one
     for everybody else, gesture library, face tables and export rigs."""
 
-    average: Performer
-    performers: Mapping[str, Performer]
+    average: RealizedCharacter
+    performers: Mapping[str, RealizedCharacter]
     library: Library
     face: FaceTables
     style: MovementStyle
@@ -92,10 +92,10 @@ class Realizer:
         cls, library: Library, lexicon: Path, figures: Mapping[str, Figure] = MappingProxyType({})
     ) -> "Realizer":
         """The same with gestures that are loaded already."""
-        average = Performer.of(PLAIN, library)
+        average = RealizedCharacter.of(PLAIN, library)
         return cls(
             average=average,
-            performers={name: Performer.of(figure, library) for name, figure in figures.items()},
+            performers={name: RealizedCharacter.of(figure, library) for name, figure in figures.items()},
             library=library,
             face=FaceTables.load(lexicon / "face.yaml"),
             style=MovementStyle.load(lexicon / "movement.yaml"),
@@ -107,7 +107,7 @@ class Realizer:
         """The average body."""
         return self.average.skeleton
 
-    def performer(self, character: str) -> Performer:
+    def performer(self, character: str) -> RealizedCharacter:
         """Who performs as this character: the average performer where no file describes it."""
         return self.performers.get(character, self.average)
 

@@ -87,7 +87,7 @@ class Call:
 
 
 @dataclass(frozen=True, slots=True)
-class Alternative:
+class AlternativeCalls:
     """Behaviours to be shown together; their probability is `weight` over the sum of the alternatives' weights."""
 
     weight: float
@@ -100,7 +100,7 @@ class Choice:
 
     origin: Origin
     supports: tuple[Fact, ...]
-    alternatives: tuple[Alternative, ...]
+    alternatives: tuple[AlternativeCalls, ...]
 
     @property
     def rule(self) -> str:

@@ -29,7 +29,7 @@ from ..model import (
 )
 from .chaining.chainer import Call, Choice, derive
 from .chaining.facts import utterance_facts
-from .language.tree import Choice as ChoiceTree
+from .language.tree import ChooseClause
 from .passages import by_passage, passage_starts
 from .program.program import PRINTED, Program, Rule, load_program
 
@@ -136,7 +136,7 @@ def _demands(offer: _Offer, function: Function | None) -> Iterator[Demand]:
 
 def _weighs(rule: Rule) -> bool:
     """Whether a rule offers anything by weight, for a function, rather than demand it for any fact."""
-    choices = (part for part in rule.tree.conclusions if isinstance(part, ChoiceTree))
+    choices = (part for part in rule.tree.conclusions if isinstance(part, ChooseClause))
     return any(not isinf(each.weight) for choice in choices for each in choice.alternatives)
 
 

@@ -6,7 +6,7 @@ from typing import Self
 
 from pydantic import Field
 
-from ..authoring.catalogue import Character, Item, Kind, shown_path
+from ..authoring.catalogue import Character, Item, ItemKind, shown_path
 from ..behavior.characters.overlays import Characters
 from ..behavior.reading.families import Families
 from ..model import Channel, Hand, Level
@@ -18,7 +18,7 @@ from .response_model import Number, ResponseModel
 class RuleResponse(ResponseModel):
     """A rule, lexicon word, mapping or table entry, with the function it concerns and its place in the files."""
 
-    kind: Kind
+    kind: ItemKind
     name: str
     class_name: str | None = Field(default=None, serialization_alias="class")
     subtype: str | None = None

@@ -6,7 +6,7 @@ from typing import Annotated, Self
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from ..authoring.catalogue import Catalogue, Item, Kind
+from ..authoring.catalogue import Catalogue, Item, ItemKind
 from ..authoring.rule_comparison import LineChange
 from ..authoring.rule_files import RuleText
 from ..errors import Mistake
@@ -178,5 +178,5 @@ def read_rule_comparison(fields: Mapping[str, object]) -> RuleComparisonRequest:
 
 def _listed(items: Iterable[Item]) -> list[RuleResponse]:
     """Related rules and behaviours; words are left out, because there are many."""
-    shown = [item for item in items if item.kind is not Kind.WORD]
+    shown = [item for item in items if item.kind is not ItemKind.WORD]
     return [RuleResponse.model_validate(item) for item in shown[:MOST_RELATED]]

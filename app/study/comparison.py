@@ -42,7 +42,7 @@ UNDERSTOOD = "understood"
 MOST_UNDERSTOOD = 3
 
 
-class Choice(StrEnum):
+class RaterChoice(StrEnum):
     """A rater's choice of one clip of a line, or of none."""
 
     BEST = "best"

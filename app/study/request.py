@@ -11,7 +11,7 @@ PAGE_FOLDER = "page"
 
 
 @dataclass(frozen=True, slots=True)
-class Source:
+class StudySource:
     """Where lines are read: a script or a folder, the folder of a script's recordings (None: that it lies in), and
     where the study is written."""
 
@@ -25,7 +25,7 @@ class StudyRequest:
     """What is compared on which lines, how they are performed, and the seed of codes and orders, which is also that of
     the performances."""
 
-    source: Source
+    source: StudySource
     comparison: Comparison
     options: Options
 

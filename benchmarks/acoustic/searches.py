@@ -18,7 +18,7 @@ from pocketsphinx import get_model_path
 from benchmarks.acoustic.alignment import ROOT, read_acted, read_options
 from training.alignment.timit import read_sentences
 from understudy.acoustic.alignment.decoder_process import FRAMES_PER_S, pcm
-from understudy.acoustic.alignment.decoder_worker import NARROW, WIDE, HeardPhones, Recognizer, Search
+from understudy.acoustic.alignment.decoder_worker import NARROW, WIDE, BeamSearch, HeardPhones, Recognizer
 from understudy.acoustic.pronunciation.normalisation import Normaliser
 from understudy.acoustic.pronunciation.pronunciation import Pronouncer
 from understudy.model import FloatArray
@@ -28,9 +28,9 @@ RAVDESS_STEP = 16
 REPEATS = 3
 NEAR_S = 0.020
 DICTIONARY = Path(get_model_path()) / "en-us" / "cmudict-en-us.dict"
-SEARCHES: Mapping[str, Search] = {
-    "wide, four densities": Search(WIDE.beam, 4),
-    "narrow, four densities": Search(NARROW.beam, 4),
+SEARCHES: Mapping[str, BeamSearch] = {
+    "wide, four densities": BeamSearch(WIDE.beam, 4),
+    "narrow, four densities": BeamSearch(NARROW.beam, 4),
     "wide": WIDE,
     "narrow": NARROW,
 }
@@ -80,7 +80,9 @@ def _by_every_search(
     return {name: (min(each[name][0] for each in rounds), rounds[0][name][1]) for name in SEARCHES}
 
 
-def _timed(recognizer: Recognizer, audio: bytes, words: list[list[str]], search: Search) -> tuple[float, HeardPhones]:
+def _timed(
+    recognizer: Recognizer, audio: bytes, words: list[list[str]], search: BeamSearch
+) -> tuple[float, HeardPhones]:
     began_s = time.process_time()
     heard = recognizer.aligned(audio, words, search)
     return time.process_time() - began_s, heard

@@ -12,7 +12,7 @@ from time import process_time
 
 from understudy.batch.work.audio import AudioSource
 from understudy.batch.work.formats import FORMATS, OutputFormat, extension_of
-from understudy.batch.work.jobs import LineJob, Target
+from understudy.batch.work.jobs import LineJob, OutputTarget
 from understudy.batch.work.performing import perform_job
 from understudy.batch.work.speaking import ReferenceJob, learn_reference
 from understudy.model.formats.motion_formats import MotionFormat
@@ -51,7 +51,7 @@ def main() -> None:
 
 
 def _in(job: LineJob, form: OutputFormat) -> LineJob:
-    return replace(job, targets=(Target(form, f"line.{extension_of(form)}"),))
+    return replace(job, targets=(OutputTarget(form, f"line.{extension_of(form)}"),))
 
 
 def _heard(job: LineJob) -> LineJob:

@@ -33,7 +33,7 @@ from understudy.realizer.body.skeleton import forward
 from understudy.realizer.gestures.clips import clip
 from understudy.realizer.gestures.gesture_space import sector_m
 from understudy.realizer.mannequin.mannequin import Mannequin
-from understudy.realizer.realizing import Performer
+from understudy.realizer.realizing import RealizedCharacter
 from understudy.resources import resource_folder
 
 EXTREMES: Mapping[str, Physique] = {
@@ -66,7 +66,7 @@ def main() -> None:
             judge(given.node_modules.resolve(), realizer.rigs, performer.skeleton, performer.looks)
 
 
-def _size(performer: Performer) -> Iterator[str]:
+def _size(performer: RealizedCharacter) -> Iterator[str]:
     mannequin = Mannequin.around(performer.skeleton, performer.looks)
     heights_m = np.concatenate([part.surface.positions_m[:, 1] for part in mannequin.parts])
     asked_m = performer.skeleton.proportions.physique.height_m
@@ -90,7 +90,7 @@ def _motion(realizer: Realizer, name: str, schedules: Sequence[Schedule]) -> Ite
     yield f"feet {MM * moved_m:.2f} mm"
 
 
-def _short(performer: Performer) -> str:
+def _short(performer: RealizedCharacter) -> str:
     missed = asked = 0
     for definition in performer.library.definitions:
         if Level.MEDIUM not in definition.levels:

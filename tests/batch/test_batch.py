@@ -11,7 +11,7 @@ import soundfile
 
 import understudy
 from understudy.batch.batch import Nobody, run_batch
-from understudy.batch.manifest.entries import Entry, State
+from understudy.batch.manifest.entries import ManifestEntry, State
 from understudy.batch.request import BatchRequest
 from understudy.batch.work.formats import LineFormat
 from understudy.bml.writing.writer import write_bml
@@ -44,7 +44,7 @@ class Batch:
         with (self.folder / "lines.csv").open("w", encoding="utf-8", newline="") as file:
             csv.writer(file).writerows(rows)
 
-    def run(self, **changes: object) -> tuple[list[str], dict[str, Entry]]:
+    def run(self, **changes: object) -> tuple[list[str], dict[str, ManifestEntry]]:
         """Which lines were performed, and the rows of all."""
         engine = ThisProcess(self.models)
         request = replace(self.request, **changes)  # type: ignore[arg-type]

@@ -7,7 +7,7 @@ import pytest
 from understudy.batch.layout import Layout, require_apart
 from understudy.batch.model import Recording, ScriptLine, Take
 from understudy.batch.work.formats import LineFormat
-from understudy.batch.work.jobs import Target
+from understudy.batch.work.jobs import OutputTarget
 from understudy.errors import InputError
 from understudy.model.formats.motion_formats import MotionFormat
 
@@ -36,7 +36,7 @@ def test_a_layout_that_cannot_be_is_refused(text: str) -> None:
 
 @pytest.mark.parametrize("path", ["a/X.bml", "report.csv"])
 def test_no_two_lines_share_a_file_and_none_takes_the_batch_own(path: str) -> None:
-    first, second = Target(LineFormat.BML, "a/x.bml"), Target(LineFormat.BML, path)
+    first, second = OutputTarget(LineFormat.BML, "a/x.bml"), OutputTarget(LineFormat.BML, path)
     require_apart([("one", first), ("one", first)])
     with pytest.raises(InputError, match="two"):
         require_apart([("one", first), ("two", second)])

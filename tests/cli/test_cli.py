@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from understudy.cli.files import write
-from understudy.cli.log import Log, Voice
+from understudy.cli.log import Audience, Log
 from understudy.cli.main import main
 from understudy.cli.outputs.summary import summary
 from understudy.errors import InputError
@@ -298,9 +298,13 @@ def test_writing_follows_links_and_leaves_devices_alone(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("argv", "voice"),
-    [(["perform"], Voice.PEOPLE), (["perform", "--quiet"], Voice.QUIET), (["--json-log", "perform"], Voice.MACHINES)],
+    [
+        (["perform"], Audience.PEOPLE),
+        (["perform", "--quiet"], Audience.QUIET),
+        (["--json-log", "perform"], Audience.MACHINES),
+    ],
 )
-def test_the_voice_is_found_wherever_it_stands(argv: list[str], voice: Voice) -> None:
+def test_the_voice_is_found_wherever_it_stands(argv: list[str], voice: Audience) -> None:
     assert Log.for_arguments(argv).voice is voice
 
 

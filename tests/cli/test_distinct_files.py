@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from understudy.cli.distinct_files import InputFile, OutputFile, require_distinct
+from understudy.cli.distinct_files import InputFile, OutputName, require_distinct
 from understudy.cli.main import main
 from understudy.errors import InputError
 
@@ -66,13 +66,13 @@ def test_it_is_refused_and_nothing_changes(
 
 def test_several_inputs_may_be_one_file_and_devices_may_be_named_often(folder: Path) -> None:
     inputs = [InputFile(folder / "a.flac"), InputFile(folder / "hard.bml")]
-    outputs = [OutputFile(os.devnull), OutputFile(os.devnull), OutputFile(folder / "a.bml")]
+    outputs = [OutputName(os.devnull), OutputName(os.devnull), OutputName(folder / "a.bml")]
     require_distinct(Namespace(audio=inputs, realize=outputs, fps=30, words=None))
 
 
 def test_names_made_of_others_are_outputs_too(folder: Path) -> None:
-    arguments = Namespace(output=OutputFile(folder / "a.bml"))
-    require_distinct(arguments, [OutputFile(folder / "b.bml")])
+    arguments = Namespace(output=OutputName(folder / "a.bml"))
+    require_distinct(arguments, [OutputName(folder / "b.bml")])
     with pytest.raises(InputError) as caught:
-        require_distinct(arguments, [OutputFile(folder / "inner" / ".." / "a.bml")])
+        require_distinct(arguments, [OutputName(folder / "inner" / ".." / "a.bml")])
     assert caught.value.code == "files_same"

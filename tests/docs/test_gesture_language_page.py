@@ -12,11 +12,11 @@ from understudy.realizer.gestures.definitions import FACTORS, MEDIUM, RANGES, SU
 from understudy.realizer.gestures.gesture import (
     Bend,
     Depth,
-    Direction,
     Finger,
     FrameType,
+    HandDirection,
     HandForm,
-    Height,
+    HeightSector,
     Sideways,
     Thumb,
 )
@@ -40,7 +40,21 @@ def test_the_paper_s_example_is_the_one_in_use() -> None:
 
 @pytest.mark.parametrize(
     "words",
-    [HEADER, FRAME, [OTHER], FrameType, Sideways, Height, Depth, HandForm, Finger, Bend, Direction, RANGES, Level],
+    [
+        HEADER,
+        FRAME,
+        [OTHER],
+        FrameType,
+        Sideways,
+        HeightSector,
+        Depth,
+        HandForm,
+        Finger,
+        Bend,
+        HandDirection,
+        RANGES,
+        Level,
+    ],
 )
 def test_every_word_is_on_the_page(words: list[str]) -> None:
     assert [word for word in words if not re.search(rf"`[^`\n]*\b{word}\b[^`\n]*`", PAGE)] == []

@@ -7,7 +7,7 @@ import pytest
 
 from tests.prosody_gestures.test_prosody import spoken
 from understudy.errors import ServiceError
-from understudy.motion_models.affect import DIMENSIONS, MEASURES, WINDOW_FRAMES, AffectModel, measures
+from understudy.motion_models.affect import DIMENSIONS, MEASURES, WINDOW_FRAMES, LinearAffectModel, measures
 from understudy.prosody_gestures.prosody import VOICED, raw_frames
 from understudy.resources import resource_folder
 
@@ -34,7 +34,7 @@ def test_silence_has_measures_too() -> None:
 
 def test_the_shipped_model_hears_what_is_excited() -> None:
     """The same voice, higher and with more of a melody, is the more active."""
-    model = AffectModel.load(resource_folder("models") / "prosody_gestures" / "affect.npz")
+    model = LinearAffectModel.load(resource_folder("models") / "prosody_gestures" / "affect.npz")
     energy_db, f0_hz = spoken(6.0)
     excited = np.where(f0_hz > 0, 220 * (np.maximum(f0_hz, 1) / 120) ** 2, 0.0)
     calm, high = (model.estimate(raw_frames(energy_db, each))[-1] for each in (f0_hz, excited))
@@ -46,4 +46,4 @@ def test_the_shipped_model_hears_what_is_excited() -> None:
 def test_a_broken_file_is_named(tmp_path: Path) -> None:
     (tmp_path / "affect.npz").write_bytes(b"nothing of the kind")
     with pytest.raises(ServiceError, match="no model of affect"):
-        AffectModel.load(tmp_path / "affect.npz")
+        LinearAffectModel.load(tmp_path / "affect.npz")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.prosody_gestures.models import drawn_model
-from understudy.prosody_gestures.counting import PLAIN, Smoothing, count, count_labels
+from understudy.prosody_gestures.counting import PLAIN, CountSmoothing, count, count_labels
 from understudy.prosody_gestures.semi_markov import Segment, SemiMarkovModel, segments_of
 
 PATHS = [
@@ -23,7 +23,7 @@ def test_shares_are_what_was_counted() -> None:
 
 
 def test_smoothing_forbids_nothing_and_keeps_the_order() -> None:
-    counted = count(PATHS, 2, 5, Smoothing())
+    counted = count(PATHS, 2, 5, CountSmoothing())
     assert np.isfinite(counted.log_duration).all()
     assert np.exp(counted.log_duration).sum(axis=1) == pytest.approx([1, 1])
     assert counted.log_duration[0].argmax() == 1
@@ -38,7 +38,7 @@ def test_labels_are_counted_in_their_states() -> None:
 def test_a_model_is_learnt_back_from_its_own_paths() -> None:
     model = drawn_model(4, states=3, longest=6)
     paths = [_path(model, np.random.default_rng(seed)) for seed in range(300)]
-    counted = count(paths, 3, 6, Smoothing(spread=0.0))
+    counted = count(paths, 3, 6, CountSmoothing(spread=0.0))
     assert np.exp(counted.log_transition) == pytest.approx(np.exp(model.log_transition), abs=0.05)
     assert np.exp(counted.log_duration) == pytest.approx(np.exp(model.log_duration), abs=0.05)
 

@@ -17,7 +17,7 @@ from understudy.prosody_gestures.live_gestures import (
     LEAD,
     Announcing,
     LiveGestures,
-    Phase,
+    LivePhase,
 )
 from understudy.prosody_gestures.semi_markov import FRAME_S
 from understudy.prosody_gestures.trellis import EVERYTHING
@@ -27,9 +27,9 @@ ENERGY_DB, F0_HZ = spoken(9.0, 4)
 MODEL = VoiceModel.load(SHIPPED)
 
 
-def heard(chunk: int, commitment: Commitment) -> tuple[list[Phase], float]:
+def heard(chunk: int, commitment: Commitment) -> tuple[list[LivePhase], float]:
     """All decided phases, and the longest that the end of one was waited for."""
-    live, phases, latest_s = LiveGestures(MODEL, EVERYTHING, commitment), list[Phase](), 0.0
+    live, phases, latest_s = LiveGestures(MODEL, EVERYTHING, commitment), list[LivePhase](), 0.0
     decided_s = dict.fromkeys(("hands", "head", "brows"), 0.0)
     for first in range(0, len(F0_HZ), chunk):
         told = live.hear(ENERGY_DB[first : first + chunk], F0_HZ[first : first + chunk])
@@ -59,7 +59,7 @@ def test_every_moment_is_decided_once_and_in_time() -> None:
 
 
 def test_what_is_announced_comes_in_time_and_in_order_and_never_twice() -> None:
-    live, last = LiveGestures(MODEL), dict[str, Phase]()
+    live, last = LiveGestures(MODEL), dict[str, LivePhase]()
     for first in range(len(F0_HZ)):
         for phase in live.hear(ENERGY_DB[first : first + 1], F0_HZ[first : first + 1]):
             if phase.decided:

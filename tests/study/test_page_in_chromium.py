@@ -13,7 +13,7 @@ from understudy.options import Options
 from understudy.resources import resource_folder
 from understudy.study.comparison import DIMENSIONS, Comparison
 from understudy.study.making.making import make_study
-from understudy.study.request import Source, StudyRequest
+from understudy.study.request import StudyRequest, StudySource
 from understudy.study.scoring.reading import read_answers, read_key
 
 __all__ = ["browser"]
@@ -42,7 +42,7 @@ def studies(understudy: Understudy, tmp_path_factory: pytest.TempPathFactory) ->
         (folder / "lines" / name).write_bytes((source / name).read_bytes())
     for comparison, profile in ((Comparison.MODES, None), (Comparison.UNITS, "sweeping")):
         request = StudyRequest(
-            Source(folder / "lines", None, folder / comparison), comparison, Options(profile=profile)
+            StudySource(folder / "lines", None, folder / comparison), comparison, Options(profile=profile)
         )
         make_study(request, understudy, lambda _told, _notices: None)
     return {comparison: folder / comparison for comparison in Comparison}

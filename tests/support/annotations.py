@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from understudy.profiles.annotation.tracks import Span, Track
+from understudy.profiles.annotation.tracks import Track, TrackSpan
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples" / "speakers"
 SWEEPING, SPARING = EXAMPLES / "sweeping.json", EXAMPLES / "sparing.eaf"
@@ -19,30 +19,30 @@ def small_tracks() -> dict[str, Track]:
         "words": tuple(_word_span(number, number, text) for number, text in enumerate(words)),
         "tags": tuple(_word_span(first, last, tag) for tag, first, last in tags),
         "phases": (
-            Span(0.2, 0.6, "preparation"),
-            Span(0.6, 0.9, "stroke"),
-            Span(0.9, 1.0, "hold"),
-            Span(1.0, 1.3, "stroke"),
-            Span(1.3, 1.6, "preparation"),
-            Span(1.6, 1.8, "stroke"),
-            Span(1.8, 2.1, "retraction"),
-            Span(2.2, 2.4, "preparation"),
-            Span(2.4, 2.6, "stroke"),
-            Span(2.6, 3.0, "retraction"),
+            TrackSpan(0.2, 0.6, "preparation"),
+            TrackSpan(0.6, 0.9, "stroke"),
+            TrackSpan(0.9, 1.0, "hold"),
+            TrackSpan(1.0, 1.3, "stroke"),
+            TrackSpan(1.3, 1.6, "preparation"),
+            TrackSpan(1.6, 1.8, "stroke"),
+            TrackSpan(1.8, 2.1, "retraction"),
+            TrackSpan(2.2, 2.4, "preparation"),
+            TrackSpan(2.4, 2.6, "stroke"),
+            TrackSpan(2.6, 3.0, "retraction"),
         ),
         "phrases": (
-            Span(0.2, 1.3, "ME", hands),
-            Span(1.3, 1.8, "NEGATION", {"hand": "2H", "path": "curved", "affiliate": "never"}),
-            Span(2.2, 2.6, "YOU", {"hand": "LH", "affiliate": "4-5"}),
+            TrackSpan(0.2, 1.3, "ME", hands),
+            TrackSpan(1.3, 1.8, "NEGATION", {"hand": "2H", "path": "curved", "affiliate": "never"}),
+            TrackSpan(2.2, 2.6, "YOU", {"hand": "LH", "affiliate": "4-5"}),
         ),
-        "units": (Span(0.2, 2.1, "clasped"), Span(2.2, 3.0, "at_side")),
-        "head": (Span(0.9, 1.3, "shake"),),
-        "gaze": (Span(0.0, 2.25, "listener"), Span(2.25, 3.0, "away")),
-        "posture": (Span(0.0, 3.0, "WEIGHT_ON_LEFT_LEG"),),
+        "units": (TrackSpan(0.2, 2.1, "clasped"), TrackSpan(2.2, 3.0, "at_side")),
+        "head": (TrackSpan(0.9, 1.3, "shake"),),
+        "gaze": (TrackSpan(0.0, 2.25, "listener"), TrackSpan(2.25, 3.0, "away")),
+        "posture": (TrackSpan(0.0, 3.0, "WEIGHT_ON_LEFT_LEG"),),
     }
     return {name: Track(name, spans) for name, spans in tracks.items()}
 
 
-def _word_span(first: int, last: int, label: str) -> Span:
+def _word_span(first: int, last: int, label: str) -> TrackSpan:
     """Words of .4 s each from .5 s on."""
-    return Span(round(0.5 + 0.4 * first, 3), round(0.9 + 0.4 * last, 3), label)
+    return TrackSpan(round(0.5 + 0.4 * first, 3), round(0.9 + 0.4 * last, 3), label)

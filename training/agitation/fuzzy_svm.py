@@ -12,8 +12,8 @@ import numpy as np
 from training.agitation.corpus import Samples
 from understudy.acoustic.agitation.agitation import AgitationModel, FuzzySvm
 from understudy.acoustic.agitation.fuzzy_training import (
+    DecisionSurface,
     Kernel,
-    Surface,
     fit_fuzzy,
     held_out_values,
     joint_logistic,
@@ -26,8 +26,8 @@ from understudy.model import FloatArray
 from understudy.model.voice.signal import SpeakerReference
 
 __all__ = [
+    "DecisionSurface",
     "Recipe",
-    "Surface",
     "balanced_weights",
     "fit_fuzzy",
     "held_out_values",

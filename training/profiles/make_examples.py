@@ -25,7 +25,7 @@ from understudy.options import Options
 from understudy.performance import analyze, perform_analysis
 from understudy.profiles.annotation.elan import write_elan
 from understudy.profiles.annotation.tables import write_json_tracks
-from understudy.profiles.annotation.tracks import Span, Track, rows_of, with_attribute_tracks
+from understudy.profiles.annotation.tracks import Track, TrackSpan, rows_of, with_attribute_tracks
 from understudy.profiles.generation.repertoire import PlayableGesture
 from understudy.profiles.profile import tag_of
 from understudy.profiles.segments import time_of
@@ -161,10 +161,10 @@ class Session:
 
     def tracks(self, lines: Sequence[PerformedLine]) -> Iterator[Track]:
         """The tracks of the session."""
-        words: list[Span] = []
-        tags: list[Span] = []
-        heads: list[Span] = []
-        segments: list[Span] = []
+        words: list[TrackSpan] = []
+        tags: list[TrackSpan] = []
+        heads: list[TrackSpan] = []
+        segments: list[TrackSpan] = []
         planned: list[tuple[int, str, int]] = []
         start_s = 0.5
         for number, line in enumerate(lines):
@@ -187,7 +187,7 @@ class Session:
         yield from self._rows(gestures, start_s)
         yield Track("head", tuple(_apart(heads)))
         yield Track("gaze", tuple(self._gaze(start_s)))
-        yield Track("posture", (Span(0.0, round(start_s, 3), self.style.posture),))
+        yield Track("posture", (TrackSpan(0.0, round(start_s, 3), self.style.posture),))
 
     def _planned(self, line: PerformedLine) -> list[tuple[int, str]]:
         """The words with a gesture, as many as the style makes: those of our performance, the more important first,
@@ -203,7 +203,7 @@ class Session:
                 self.owed -= 1
         return list(taken.items())
 
-    def _gestures(self, planned: Sequence[tuple[int, str, int]], words: Sequence[Span]) -> list[Gesture]:
+    def _gestures(self, planned: Sequence[tuple[int, str, int]], words: Sequence[TrackSpan]) -> list[Gesture]:
         made: list[Gesture] = []
         for place, (word, tag, group) in enumerate(planned):
             before = made[-1] if made else None
@@ -224,7 +224,7 @@ class Session:
             made.append(Gesture(lexeme, self._hand(lexeme), word, strokes, joined, group))
         return made
 
-    def _after(self, word: int, end_s: float, until_s: float, words: Sequence[Span]) -> Iterator[Interval]:
+    def _after(self, word: int, end_s: float, until_s: float, words: Sequence[TrackSpan]) -> Iterator[Interval]:
         """After-strokes, each ending with one of the words that follow."""
         left = max(1, round(self.rng.gauss(*self.style.strokes))) - 1
         for following in words[word + 1 :]:
@@ -235,9 +235,9 @@ class Session:
 
     def _rows(self, gestures: Sequence[Gesture], end_s: float) -> Iterator[Track]:
         """Phases, phrases and units."""
-        phases: list[Span] = []
-        phrases: list[Span] = []
-        units: list[Span] = []
+        phases: list[TrackSpan] = []
+        phrases: list[TrackSpan] = []
+        units: list[TrackSpan] = []
         for place, gesture in enumerate(gestures):
             following = gestures[place + 1] if place + 1 < len(gestures) else None
             first, last = gesture.strokes[0], gesture.strokes[-1]
@@ -263,7 +263,7 @@ class Session:
         yield Track("phrases", tuple(phrases))
         yield Track("units", tuple(units))
 
-    def _phrase(self, gesture: Gesture, start_s: float, end_s: float) -> Span:
+    def _phrase(self, gesture: Gesture, start_s: float, end_s: float) -> TrackSpan:
         path = "curved" if self.rng.random() < self.style.curved else "straight"
         places = self.style.places
         attributes = {"hand": {"right": "RH", "left": "LH", "both": "2H"}[gesture.hand], "path": path}
@@ -286,12 +286,12 @@ class Session:
     def _drawn(self, weights: Mapping[str, float]) -> str:
         return self.rng.choices(list(weights), list(weights.values()))[0]
 
-    def _heads(self, line: PerformedLine, shift_s: float) -> Iterator[Span]:
+    def _heads(self, line: PerformedLine, shift_s: float) -> Iterator[TrackSpan]:
         for each in line.behaviors:
             if each.kind is Channel.HEAD and each.kept and each.priority and self.rng.random() < self.style.head_kept:
                 yield _span(each.sync.start + shift_s, each.sync.end + shift_s, each.lexeme.lower())
 
-    def _gaze(self, end_s: float) -> Iterator[Span]:
+    def _gaze(self, end_s: float) -> Iterator[TrackSpan]:
         """Looks at the listener and away in turns, by the style's share."""
         now_s, share = 0.0, self.style.at_listener
         while now_s < end_s:
@@ -313,14 +313,14 @@ def _strokes(line: PerformedLine) -> Iterator[tuple[int, str, float]]:
                 yield begun[-1], tag_of(function), each.priority
 
 
-def _tags(line: PerformedLine, places: Mapping[int, int], words: Sequence[Span]) -> Iterator[Span]:
+def _tags(line: PerformedLine, places: Mapping[int, int], words: Sequence[TrackSpan]) -> Iterator[TrackSpan]:
     for each in line.functions:
         own = [places[word] for word in range(each.first, each.last + 1) if word in places]
         if each.kept and own:
             yield _span(words[own[0]].start_s, words[own[-1]].end_s, tag_of(each))
 
 
-def _strokes_and_holds(strokes: Sequence[Interval], to_s: float) -> Iterator[Span]:
+def _strokes_and_holds(strokes: Sequence[Interval], to_s: float) -> Iterator[TrackSpan]:
     at_s = strokes[0].start_s
     for stroke in strokes:
         if stroke.start_s - at_s > 0.02:
@@ -331,7 +331,7 @@ def _strokes_and_holds(strokes: Sequence[Interval], to_s: float) -> Iterator[Spa
         yield _span(at_s, to_s, "hold")
 
 
-def _apart(spans: Sequence[Span]) -> Iterator[Span]:
+def _apart(spans: Sequence[TrackSpan]) -> Iterator[TrackSpan]:
     end_s = 0.0
     for span in sorted(spans, key=lambda each: each.start_s):
         if span.start_s >= end_s:
@@ -339,11 +339,11 @@ def _apart(spans: Sequence[Span]) -> Iterator[Span]:
             end_s = span.end_s
 
 
-def _span(start_s: float, end_s: float, label: str) -> Span:
-    return Span(round(start_s, 3), round(end_s, 3), label)
+def _span(start_s: float, end_s: float, label: str) -> TrackSpan:
+    return TrackSpan(round(start_s, 3), round(end_s, 3), label)
 
 
-def _shifted(interval: Interval, shift_s: float, label: str) -> Span:
+def _shifted(interval: Interval, shift_s: float, label: str) -> TrackSpan:
     return _span(interval.start_s + shift_s, interval.end_s + shift_s, label)
 
 

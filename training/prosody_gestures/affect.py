@@ -22,7 +22,7 @@ from understudy.acoustic.signal.decoding import decode
 from understudy.acoustic.signal.spectrum import energy_db
 from understudy.acoustic.stage import audio_limits
 from understudy.model import FloatArray
-from understudy.motion_models.affect import DIMENSIONS, AffectModel, measures
+from understudy.motion_models.affect import DIMENSIONS, LinearAffectModel, measures
 from understudy.prosody_gestures.prosody import raw_frames
 from understudy.settings import Settings
 
@@ -63,7 +63,7 @@ def measured(speech: Path, each: int) -> tuple[list[dict[str, str]], FloatArray]
     return rows, np.stack(found)
 
 
-def fitted(inputs: FloatArray, wanted: FloatArray, weights: FloatArray) -> AffectModel:
+def fitted(inputs: FloatArray, wanted: FloatArray, weights: FloatArray) -> LinearAffectModel:
     """Ridge regression of what is wanted (recordings × 3)."""
     shares = weights / weights.sum()
     mean = shares @ inputs
@@ -71,7 +71,7 @@ def fitted(inputs: FloatArray, wanted: FloatArray, weights: FloatArray) -> Affec
     intercepts = shares @ wanted
     standard = (inputs - mean) / scale
     within = standard.T @ (standard * shares[:, None]) + RIDGE / len(inputs) * np.eye(inputs.shape[1])
-    return AffectModel(
+    return LinearAffectModel(
         mean, scale, np.linalg.solve(within, standard.T @ (shares[:, None] * (wanted - intercepts))), intercepts
     )
 

@@ -39,7 +39,7 @@ class Kernel:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Surface:
+class DecisionSurface:
     """A class's decision surface among the training points: coefficient of each (N,), 0 where it has no say."""
 
     coefficients: FloatArray
@@ -112,7 +112,7 @@ def joint_logistic(values: FloatArray, weights: FloatArray) -> tuple[FloatArray,
     return slopes, offsets
 
 
-def fit_fuzzy(likeness: FloatArray, inside: FloatArray, outside: FloatArray, cost: float) -> Surface:
+def fit_fuzzy(likeness: FloatArray, inside: FloatArray, outside: FloatArray, cost: float) -> DecisionSurface:
     """The surface whose slacks on either side cost `inside` and `outside` (N,) times `cost`, sample by sample."""
     from sklearn.svm import SVC
 
@@ -123,7 +123,7 @@ def fit_fuzzy(likeness: FloatArray, inside: FloatArray, outside: FloatArray, cos
     svm = SVC(C=cost, kernel="precomputed").fit(likeness[np.ix_(rows, rows)], sides, slack_weights)
     coefficients = np.zeros(len(likeness))
     np.add.at(coefficients, rows[svm.support_], svm.dual_coef_[0])
-    return Surface(coefficients, float(svm.intercept_[0]))
+    return DecisionSurface(coefficients, float(svm.intercept_[0]))
 
 
 def _sides(weights: FloatArray, index: int) -> tuple[FloatArray, FloatArray]:

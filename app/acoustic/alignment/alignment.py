@@ -38,7 +38,7 @@ class Alignment:
 
 
 @dataclass(frozen=True, slots=True)
-class Reading:
+class PronouncedWords:
     """Words with the phones they are expected to have, none of them timed, and notices about them; which are
     `abbreviated`, with a full stop of their own, and which are `capitalized` for emphasis, by index."""
 
@@ -119,12 +119,12 @@ class Aligner:
         `transcript_unspoken`."""
         return self.read(words).words
 
-    def read(self, words: tuple[Word, ...]) -> Reading:
+    def read(self, words: tuple[Word, ...]) -> PronouncedWords:
         """How the words are read where nobody is heard; raises as `pronounce` does. Notices: `pronunciation_guessed`,
         `word_unreadable`."""
         spoken, notices = self._pronounced(words)
         expected = {word.index: word for word in _expected(spoken)}
-        return Reading(
+        return PronouncedWords(
             tuple(expected.get(word.index, word) for word in words),
             notices,
             self._normaliser.abbreviated(words),

@@ -70,7 +70,7 @@ class Decoded:
 
 
 @dataclass(frozen=True, slots=True)
-class Span:
+class FrameSpan:
     """The time of a word or a filler in decoder frames."""
 
     is_word: bool
@@ -112,13 +112,13 @@ class DecoderProcess:
         decoded = [[DecodedPhone(*phone) for phone in word] for word in answer["words"]]
         return Decoded(decoded, [DecodedPhone(*filler) for filler in answer["fillers"]])
 
-    def find(self, audio: bytes, words: Sequence[Pronunciations]) -> list[Span]:
+    def find(self, audio: bytes, words: Sequence[Pronunciations]) -> list[FrameSpan]:
         """Approximate times of those words that `audio`, the first stretch of a longer recording, contains, and of the
         fillers between them.
 
         Raises as `align` does.
         """
-        return [Span(*span) for span in self._answer(audio, words, more=True)["spans"]]
+        return [FrameSpan(*span) for span in self._answer(audio, words, more=True)["spans"]]
 
     def _answer(self, audio: bytes, words: Sequence[Pronunciations], *, more: bool) -> dict[str, Any]:
         request = json.dumps({"words": words, "bytes": len(audio), "more": more}).encode() + b"\n" + audio

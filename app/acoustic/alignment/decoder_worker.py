@@ -37,7 +37,7 @@ and decoding takes a quarter more time."""
 
 
 @dataclass(frozen=True, slots=True)
-class Search:
+class BeamSearch:
     """The parameters of a search: paths less likely than `beam` times the best are pruned, the likelihood of a state is
     the sum of its `densities` best, which are selected every `every` frames."""
 
@@ -46,14 +46,14 @@ class Search:
     every: int = 1
 
 
-ROUGH = Search(1e-48, 1)
+ROUGH = BeamSearch(1e-48, 1)
 """Sufficient to find pauses."""
 
-NARROW = Search(1e-48, 2)
-WIDE = Search(1e-200, 2)
+NARROW = BeamSearch(1e-48, 2)
+WIDE = BeamSearch(1e-200, 2)
 """Does not prune paths that noise makes unlikely for a while."""
 
-PLACING = Search(1e-48, 4, every=2)
+PLACING = BeamSearch(1e-48, 4, every=2)
 """For phones within known words, where a finer search hardly changes their times."""
 
 SURE_SCORE = -35.0
@@ -115,7 +115,7 @@ class Recognizer:
         fillers = [each for each, _ in heard if each[0] in FILLERS]
         return {"words": spoken if len(spoken) == len(words) else None, "fillers": fillers}
 
-    def aligned(self, audio: bytes, words: list[list[str]], search: Search) -> HeardPhones:
+    def aligned(self, audio: bytes, words: list[list[str]], search: BeamSearch) -> HeardPhones:
         """All words and the accepted fillers; empty if there is no path."""
         decoder = self._knowing(words, search)
         _listen(decoder, audio, words)
@@ -124,7 +124,7 @@ class Recognizer:
         doubtful = [_is_doubtful(each, by_a_pause=by) for (each, _), by in zip(heard, by_a_pause, strict=True)]
         return _merged(heard, doubtful)
 
-    def _spans(self, audio: bytes, words: list[list[str]], search: Search) -> list[Span] | None:
+    def _spans(self, audio: bytes, words: list[list[str]], search: BeamSearch) -> list[Span] | None:
         """The times of those first words that are found before the audio ends; None if there is no path."""
         decoder = self._knowing(words, search)
         _listen(decoder, audio, words, more=True)
@@ -136,7 +136,7 @@ class Recognizer:
             for segment in heard
         ]
 
-    def _knowing(self, words: list[list[str]], search: Search) -> Decoder:
+    def _knowing(self, words: list[list[str]], search: BeamSearch) -> Decoder:
         """A decoder whose vocabulary includes the words and the fillers."""
         if search != NARROW:
             return _Vocabulary(search).with_words(words)
@@ -148,7 +148,7 @@ class Recognizer:
 class _Vocabulary:
     """A decoder and its vocabulary, which only grows."""
 
-    def __init__(self, search: Search) -> None:
+    def __init__(self, search: BeamSearch) -> None:
         self._decoder = _decoder(search)
         self._names = set(FILLERS)
 
@@ -180,7 +180,7 @@ def _is_sure(heard: HeardPhones) -> bool:
     return bool(words) and fit >= 0 and longest <= LONGEST_SURE_FRAMES
 
 
-def _decoder(search: Search) -> Decoder:
+def _decoder(search: BeamSearch) -> Decoder:
     """A decoder that knows only the fillers."""
     decoder = Decoder(
         lm=None,

@@ -25,8 +25,8 @@ from .decoder_process import (
     Decoded,
     DecodedPhone,
     DecoderProcess,
+    FrameSpan,
     Pronunciations,
-    Span,
     pcm,
 )
 
@@ -85,7 +85,7 @@ def decode_in_pieces(process: DecoderProcess, samples: FloatArray, words: Sequen
     return Decoded(found, fillers)
 
 
-def cuts_in_pauses(spans: Sequence[Span], frames: int) -> list[Cut]:
+def cuts_in_pauses(spans: Sequence[FrameSpan], frames: int) -> list[Cut]:
     """Where to cut a stretch of this many frames, given the words found in it, up to where these are reliable.
 
     Each piece ends in the last clear pause that keeps it within `PIECE_FRAMES`, or in the next one. Without a clear
@@ -95,7 +95,7 @@ def cuts_in_pauses(spans: Sequence[Span], frames: int) -> list[Cut]:
     words = np.cumsum([span.is_word for span in spans], dtype=int).tolist()
     pauses = [
         (following.first_frame - span.end_frame, Cut(count, min((span.end_frame + following.first_frame) // 2, sure)))
-        for count, (span, following) in zip(words, pairwise([*spans, Span(False, frames, 0)]), strict=True)
+        for count, (span, following) in zip(words, pairwise([*spans, FrameSpan(False, frames, 0)]), strict=True)
         if span.end_frame <= sure
     ]
     clear = [cut for length, cut in pauses if length >= CLEAR_PAUSE_FRAMES]

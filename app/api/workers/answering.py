@@ -30,7 +30,7 @@ from ...schemas.rules import read_rule_part
 from ..bodies import BML_TYPES, form_limits, media_type_of
 from ..negotiation import JSON, MOTION_TYPES, XML, chosen
 from . import authoring
-from .form import Part, read_form
+from .form import FormPart, read_form
 from .messages import Answer, Job, Task
 from .speaker import with_profile, with_reference
 
@@ -75,7 +75,7 @@ def _performance(understudy: Understudy, line: Line, options: Options, edits: Ed
         raise rules_wrong(error) from None
 
 
-def _line(form: Mapping[str, Part]) -> Line:
+def _line(form: Mapping[str, FormPart]) -> Line:
     """Raises InputError `field_missing`, and what the parts' own checks raise."""
     if "text" not in form:
         message = "the field text is missing; send audio and text, or text alone for a line without a recording"
@@ -89,7 +89,7 @@ def _line(form: Mapping[str, Part]) -> Line:
     return Line(form["audio"].content, form["text"].text, timings, functions, direction)
 
 
-def _options(form: Mapping[str, Part], understudy: Understudy) -> Options:
+def _options(form: Mapping[str, FormPart], understudy: Understudy) -> Options:
     """The options, changed by an author's edits; the recording is named after its file."""
     options = _read_options(form["options"].content, understudy) if "options" in form else Options()
     if "edits" in form:

@@ -19,7 +19,7 @@ _PIECE_BYTES = 1 << 16
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class FormPart:
     """A field of the form; `file_name` is None when it was sent as a plain value."""
 
     name: str
@@ -40,7 +40,7 @@ class Part:
             ) from None
 
 
-def read_form(content_type: str, content: bytes, limits: Mapping[str, int]) -> dict[str, Part]:
+def read_form(content_type: str, content: bytes, limits: Mapping[str, int]) -> dict[str, FormPart]:
     """The parts by name; `limits` has the names that may come, each once, with the most bytes of each.
 
     Raises UnsupportedFormatError `media_type`, UndecodableError `form_broken`, InputError `field_unknown` and
@@ -65,7 +65,7 @@ class _Collector:
     """Gathers the parts as the parser calls back."""
 
     def __init__(self, limits: Mapping[str, int]) -> None:
-        self.parts: dict[str, Part] = {}
+        self.parts: dict[str, FormPart] = {}
         self.ended = False
         self._limits = limits
         self._header_name = b""
@@ -118,7 +118,7 @@ class _Collector:
         self._content += chunk[start:end]
 
     def _on_part_end(self) -> None:
-        self.parts[self._name] = Part(self._name, bytes(self._content), self._file_name)
+        self.parts[self._name] = FormPart(self._name, bytes(self._content), self._file_name)
 
     def _on_end(self) -> None:
         self.ended = True

@@ -18,7 +18,7 @@ from typing import Never
 
 import numpy as np
 
-from ...authoring.catalogue import Catalogue, Kind
+from ...authoring.catalogue import Catalogue, ItemKind
 from ...authoring.inspection import read_again
 from ...authoring.rule_edits import editable_files
 from ...authoring.rule_files import read_rule_text
@@ -144,7 +144,7 @@ def _library(understudy: Understudy) -> Mapping[str, bytes]:
     behavior = understudy.behavior
     catalogue = Catalogue.of(understudy.language.rules, behavior.characters, behavior.rules, behavior.families)
     words, rules = (
-        RulesResponse.of(item for item in catalogue.items if (item.kind is Kind.WORD) is are_words)
+        RulesResponse.of(item for item in catalogue.items if (item.kind is ItemKind.WORD) is are_words)
         for are_words in (True, False)
     )
     return {

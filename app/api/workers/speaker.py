@@ -11,12 +11,12 @@ from ...models import Understudy, load_tags
 from ...options import Options
 from ...profiles.files.reading import read_profile_text
 from ...schemas.references import read_reference
-from .form import Part
+from .form import FormPart
 
 FIELD = "profile"
 
 
-def with_reference(options: Options, part: Part | None, understudy: Understudy) -> Options:
+def with_reference(options: Options, part: FormPart | None, understudy: Understudy) -> Options:
     """The options with the speaker's reference that the part holds: the file of `understudy reference`, if its name
     ends in .json, else a recording of the speaker, which is heard here.
 
@@ -37,7 +37,7 @@ def with_reference(options: Options, part: Part | None, understudy: Understudy) 
     return replace(options, reference=reference)
 
 
-def with_profile(options: Options, part: Part | None, understudy: Understudy) -> Options:
+def with_profile(options: Options, part: FormPart | None, understudy: Understudy) -> Options:
     """The options with the gesture profile that the part holds, as YAML; its name is that of the file.
 
     Raises InputError `field_repeated` where the options name one already, `profile_wrong`, and UndecodableError

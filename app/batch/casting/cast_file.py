@@ -41,7 +41,7 @@ class _Cast(RootModel[dict[str, _Part]]):
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class CastPart:
     """How a character of the script is performed; None leaves it to the command's options.
 
     `reference` is the speaker's usual voice if a file is given, `is_learnt` says whether it is learnt from the batch.
@@ -65,12 +65,12 @@ class Part:
 class Cast:
     """The parts by folded name; `names` are spelt as in the file."""
 
-    parts: Mapping[str, Part]
+    parts: Mapping[str, CastPart]
     names: tuple[str, ...] = ()
 
-    def part(self, name: str) -> Part:
+    def part(self, name: str) -> CastPart:
         """The part of a script's character."""
-        return self.parts.get(folded(name)) or self.parts.get(EVERYONE_ELSE) or Part()
+        return self.parts.get(folded(name)) or self.parts.get(EVERYONE_ELSE) or CastPart()
 
 
 NOBODY_CAST = Cast(MappingProxyType({}))
@@ -81,7 +81,7 @@ def read_cast(path: Path, characters: frozenset[str]) -> Cast:
     source = Source(path)
     told = source.validated(_Cast).root
     mistakes = [*_doubles(source, told)]
-    parts: dict[str, Part] = {}
+    parts: dict[str, CastPart] = {}
     for name, part in told.items():
         if part.character is not None and part.character not in characters:
             hint = did_you_mean(part.character, characters)
@@ -104,7 +104,7 @@ def folded(name: str) -> str:
     return " ".join(name.split()).casefold()
 
 
-def _part(part: _Part, folder: Path) -> Part:
+def _part(part: _Part, folder: Path) -> CastPart:
     """Raises InputError for a reference that cannot be read, `target_wrong`, `unknown_profile`; AuthoringError for a
     profile with mistakes."""
     reference = None
@@ -114,7 +114,7 @@ def _part(part: _Part, folder: Path) -> Part:
         except OSError as error:
             message = f"{part.reference}: cannot be read: {error.strerror}; give learn, none, or a REF.json"
             raise InputError("file_unreadable", message, field="cast") from None
-    return Part(
+    return CastPart(
         part.character,
         part.seed,
         part.agitation,

@@ -14,7 +14,7 @@ from ...option_table import MOST_LISTENERS
 from ...options import Options
 from ...profiles.profile import Profile
 from ..model import ScriptLine, Take
-from .cast_file import Cast, Part, folded
+from .cast_file import Cast, CastPart, folded
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +83,7 @@ class Casting:
             if profile is not None:
                 yield listener_name(name), profile
 
-    def _listeners(self, line: ScriptLine, part: Part) -> tuple[str, ...]:
+    def _listeners(self, line: ScriptLine, part: CastPart) -> tuple[str, ...]:
         """The listeners without duplicates: those of the line, else of the cast, else of the scene."""
         told = next(
             names for names in (line.listeners, part.listeners, self.partners.get(line.id, ())) if names is not None

@@ -31,7 +31,7 @@ class WrittenFile:
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class ManifestEntry:
     """A line of the batch, the hashes of its input, and its result."""
 
     id: str
@@ -53,7 +53,7 @@ class Entry:
     failure: Failure | None = None
     seconds: float | None = None
 
-    def is_made_of_the_same(self, other: "Entry") -> bool:
+    def is_made_of_the_same(self, other: "ManifestEntry") -> bool:
         return (self.input_hash, self.settings_hash) == (other.input_hash, other.settings_hash)
 
 
@@ -82,10 +82,10 @@ COLUMNS = (
 
 _OF_A_FILE = ("form", "listener", "path", "size")
 _OF_A_NOTICE = ("code", "message")
-_ENTRY = TypeAdapter(Entry)
+_ENTRY = TypeAdapter(ManifestEntry)
 
 
-def to_row(entry: Entry) -> tuple[object, ...]:
+def to_row(entry: ManifestEntry) -> tuple[object, ...]:
     """The values of `COLUMNS`."""
     plain = [getattr(entry, name) for name in COLUMNS[:12]]
     return (
@@ -100,7 +100,7 @@ def to_row(entry: Entry) -> tuple[object, ...]:
     )
 
 
-def of_row(row: tuple[Any, ...]) -> Entry:
+def of_row(row: tuple[Any, ...]) -> ManifestEntry:
     """The entry that `to_row` stored. Raises ValueError for a row that it cannot have stored."""
     state, outputs, warnings, measures, error_code, error, seconds = row[12:]
     try:

@@ -15,7 +15,7 @@ from typing import Self
 
 from ...errors import InputError
 from ..work.files import unwritable
-from .entries import COLUMNS, Entry, of_row, to_row
+from .entries import COLUMNS, ManifestEntry, of_row, to_row
 from .hashes import KnownRecording
 
 FILE = "manifest.sqlite"
@@ -58,14 +58,14 @@ class Manifest:
             self._lock.close()
             raise
 
-    def entries(self) -> dict[str, Entry]:
+    def entries(self) -> dict[str, ManifestEntry]:
         """All rows by id, in the script's order."""
         with _told(self._folder):
             rows = self._connection.execute(_SELECT).fetchall()
         folders: dict[PurePath, bool] = {}
         return {row[0]: _checked(row, self._folder, folders) for row in rows}
 
-    def put(self, entries: Iterable[Entry]) -> None:
+    def put(self, entries: Iterable[ManifestEntry]) -> None:
         """Writes rows in one transaction, replacing those with the same ids."""
         with self._written():
             self._connection.executemany(_WRITE, map(to_row, entries))
@@ -160,7 +160,7 @@ def _require_readable_version(connection: sqlite3.Connection, folder: Path) -> N
         raise InputError("manifest_newer", message, field="out")
 
 
-def _checked(row: tuple[object, ...], folder: Path, folders: dict[PurePath, bool]) -> Entry:
+def _checked(row: tuple[object, ...], folder: Path, folders: dict[PurePath, bool]) -> ManifestEntry:
     """The entry of a row. `folders` keeps of each folder whether it is in the output folder. Raises InputError
     `manifest_unreadable` for a row that is not ours."""
     try:

@@ -17,12 +17,12 @@ from enum import StrEnum
 from pathlib import Path, PurePosixPath
 
 from ..model import Recording, ScriptLine, Take
-from .recordings import Pattern, RecordingFile
+from .recordings import RecordingFile, RecordingPattern
 
 Candidates = list[tuple[RecordingFile, int | None]]
 
 
-class Choice(StrEnum):
+class TakeChoice(StrEnum):
     """Which of several takes is performed."""
 
     LAST = "last"
@@ -55,8 +55,8 @@ class Joined:
 def join_recordings(
     lines: Sequence[ScriptLine],
     files: Sequence[RecordingFile],
-    pattern: Pattern | None = None,
-    choice: Choice = Choice.LAST,
+    pattern: RecordingPattern | None = None,
+    choice: TakeChoice = TakeChoice.LAST,
     *,
     unreadable: Sequence[RecordingFile] = (),
 ) -> Joined:
@@ -88,7 +88,7 @@ def join_one_recording(lines: Sequence[ScriptLine], recording: Path) -> Joined:
     return Joined(tuple(takes), tuple(Missing(line, None) for line in lines if not line.interval))
 
 
-def _finder(files: Sequence[RecordingFile], pattern: Pattern | None) -> Callable[[ScriptLine], Candidates]:
+def _finder(files: Sequence[RecordingFile], pattern: RecordingPattern | None) -> Callable[[ScriptLine], Candidates]:
     """A function that finds the recordings that may be a line's, in order of their names."""
     by_name: dict[str, Candidates] = defaultdict(list)
     for file in files:
@@ -117,7 +117,7 @@ def _named(recording: str, by_name: Mapping[str, Candidates]) -> Candidates:
     return next((by_name[name.casefold()] for name in names if name.casefold() in by_name), [])
 
 
-def _chosen(line: ScriptLine, candidates: Candidates, choice: Choice) -> Candidates:
+def _chosen(line: ScriptLine, candidates: Candidates, choice: TakeChoice) -> Candidates:
     """One recording for each wanted take."""
     by_take: dict[int, tuple[RecordingFile, int | None]] = {}
     for file, take in candidates:
@@ -125,7 +125,7 @@ def _chosen(line: ScriptLine, candidates: Candidates, choice: Choice) -> Candida
     if line.take is not None and len(candidates) > 1:
         return [by_take[line.take]] if line.take in by_take else []
     ordered = [by_take[number] for number in sorted(by_take)]
-    return ordered if choice is Choice.ALL else ordered[-1:] if choice is Choice.LAST else ordered[:1]
+    return ordered if choice is TakeChoice.ALL else ordered[-1:] if choice is TakeChoice.LAST else ordered[:1]
 
 
 def _takes(line: ScriptLine, candidates: Candidates) -> list[Take]:

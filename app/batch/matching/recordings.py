@@ -75,7 +75,7 @@ _PART = re.compile(r"\{(\w*)\}|(\*)|([^{}*]+)|(.)", re.DOTALL)
 
 
 @dataclass(frozen=True, slots=True)
-class Pattern:
+class RecordingPattern:
     """A compiled pattern; `places` are the fields in its braces that must agree with the line."""
 
     expression: re.Pattern[str]

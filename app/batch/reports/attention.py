@@ -10,7 +10,7 @@ What the codes of a report mean to those who record and direct, and what they ca
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
-from ..manifest.entries import Entry, State
+from ..manifest.entries import ManifestEntry, State
 
 FLAT_ST = 1.2
 """A take whose pitch deviates less than this, in semitones, is hardly acted."""
@@ -38,17 +38,17 @@ _OTHER = 5
 _FAILED, _FLAT, _UNPLAYED, _STILL = 1000, 20, 3, 8
 
 
-def reasons(entry: Entry) -> tuple[tuple[int, str], ...]:
+def reasons(entry: ManifestEntry) -> tuple[tuple[int, str], ...]:
     """Why somebody should check the line, the most urgent reason first, each with its weight."""
     return tuple(sorted(_reasons(entry), reverse=True))
 
 
-def attention(entry: Entry) -> int:
+def attention(entry: ManifestEntry) -> int:
     """How urgently somebody should check the line; 0 is not at all."""
     return sum(weight for weight, _reason in _reasons(entry))
 
 
-def _reasons(entry: Entry) -> Iterator[tuple[int, str]]:
+def _reasons(entry: ManifestEntry) -> Iterator[tuple[int, str]]:
     if entry.state is not State.DONE:
         yield _FAILED, entry.state.value
     for code in sorted({notice.code for notice in entry.warnings}):

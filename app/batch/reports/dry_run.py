@@ -18,10 +18,10 @@ import soundfile
 from ...model import Interval
 from ...model.formats.motion_formats import MotionFormat
 from ..compressed import is_compressed
-from ..manifest.entries import Entry, State
+from ..manifest.entries import ManifestEntry, State
 from ..matching.joining import NearNames
 from ..model import place_told
-from ..planning import Plan, without_audio
+from ..planning import BatchPlan, without_audio
 from ..work.formats import OutputFormat, needs_motion
 from ..work.jobs import LineJob
 
@@ -37,7 +37,7 @@ class DryRun:
     is_whole: bool
 
 
-def dry_run(plan: Plan, before: Mapping[str, Entry], *, workers: int, thumbnails: int = 0) -> DryRun:
+def dry_run(plan: BatchPlan, before: Mapping[str, ManifestEntry], *, workers: int, thumbnails: int = 0) -> DryRun:
     """What would be done by so many workers; `before` is the manifest of an earlier run, `thumbnails` the number of
     lines that the report pictures."""
     durations_s = {job.id: _duration_s(job) for _take, job in plan.jobs}
@@ -63,7 +63,7 @@ def dry_run(plan: Plan, before: Mapping[str, Entry], *, workers: int, thumbnails
     return DryRun(tuple(told), not (problems or missing or unreadable))
 
 
-def _understood(plan: Plan) -> Iterator[str]:
+def _understood(plan: BatchPlan) -> Iterator[str]:
     """Which column is taken for what, the first lines as they were read, and what was guessed or left out."""
     script = plan.script
     for field, heading in script.columns:
@@ -75,7 +75,7 @@ def _understood(plan: Plan) -> Iterator[str]:
     yield ""
 
 
-def _speakers(plan: Plan, durations_s: Mapping[str, float | None]) -> Iterator[str]:
+def _speakers(plan: BatchPlan, durations_s: Mapping[str, float | None]) -> Iterator[str]:
     lines = Counter(take.line.character for take, _job in plan.jobs)
     performers: dict[str, set[str]] = {}
     seconds: Counter[str] = Counter()
@@ -98,19 +98,19 @@ def _sections(sections: Mapping[str, Sequence[str]]) -> Iterator[str]:
             yield f"  and {len(rows) - MOST_TOLD} more"
 
 
-def _unused(plan: Plan) -> Iterator[str]:
+def _unused(plan: BatchPlan) -> Iterator[str]:
     near = NearNames(missing.line.id for missing in plan.joined.missing)
     for path in plan.joined.unused:
         meant = near.nearest(path.stem)
         yield f"{path.name}: did you mean {meant}?" if meant else path.name
 
 
-def _rivals(plan: Plan) -> Iterator[str]:
+def _rivals(plan: BatchPlan) -> Iterator[str]:
     for line, paths in plan.joined.rivals:
         yield f"{line.id}: {', '.join(map(str, paths))}"
 
 
-def _shared(plan: Plan) -> Iterator[str]:
+def _shared(plan: BatchPlan) -> Iterator[str]:
     for path, lines in plan.joined.shared:
         yield f"{path.name}: {', '.join(line.id for line in lines)}"
 
@@ -125,7 +125,7 @@ class _Expected:
     whole_s: float
 
 
-def _summary(plan: Plan, durations_s: Mapping[str, float | None], expected: "_Expected", workers: int) -> str:
+def _summary(plan: BatchPlan, durations_s: Mapping[str, float | None], expected: "_Expected", workers: int) -> str:
     total_s = sum(duration_s or 0.0 for duration_s in durations_s.values())
     expected_s = expected.whole_s + expected.shared_s / workers
     return (
@@ -135,7 +135,7 @@ def _summary(plan: Plan, durations_s: Mapping[str, float | None], expected: "_Ex
 
 
 def _expected_s(
-    plan: Plan, durations_s: Mapping[str, float | None], before: Mapping[str, Entry], thumbnails: int
+    plan: BatchPlan, durations_s: Mapping[str, float | None], before: Mapping[str, ManifestEntry], thumbnails: int
 ) -> _Expected:
     waiting = [job for _take, job in plan.jobs if (old := before.get(job.id)) is None or old.state is not State.DONE]
     lasting_s = [durations_s[job.id] or 0.0 for job in waiting]

@@ -20,7 +20,7 @@ from string import Template
 from typing import TYPE_CHECKING
 from urllib.parse import quote
 
-from ..manifest.entries import Entry, State
+from ..manifest.entries import ManifestEntry, State
 from ..work.jobs import Measures
 from .attention import attention, plain_words, reasons
 
@@ -48,7 +48,9 @@ class Thumbnail:
     content: bytes
 
 
-def to_html(heading: Heading, entries: Sequence[Entry], thumbnails: Mapping[str, Thumbnail], out: Path) -> bytes:
+def to_html(
+    heading: Heading, entries: Sequence[ManifestEntry], thumbnails: Mapping[str, Thumbnail], out: Path
+) -> bytes:
     """The report for the folder `out`, in the order of `entries`; `thumbnails` are by the lines' ids."""
     template = Template(_TEMPLATE.read_text(encoding="utf-8"))
     return template.substitute(
@@ -60,7 +62,7 @@ def to_html(heading: Heading, entries: Sequence[Entry], thumbnails: Mapping[str,
     ).encode()
 
 
-def _summary(entries: Sequence[Entry]) -> str:
+def _summary(entries: Sequence[ManifestEntry]) -> str:
     states = Counter(entry.state for entry in entries)
     hours = sum(entry.measures.duration_s for entry in entries if entry.measures) / 3600
     looks = sum(attention(entry) > 0 for entry in entries)
@@ -70,7 +72,7 @@ def _summary(entries: Sequence[Entry]) -> str:
     )
 
 
-def _histograms(entries: Sequence[Entry]) -> str:
+def _histograms(entries: Sequence[ManifestEntry]) -> str:
     measures = [entry.measures for entry in entries if entry.measures is not None and entry.measures.duration_s > 0]
     picture = draw_histograms(measures) if measures else b""
     if picture is None:
@@ -83,12 +85,12 @@ def _picture(png: bytes, kind: str, told: str) -> str:
     return f'<img class="{kind}" alt="{escape(told)}" src="data:image/png;base64,{content}">'
 
 
-def _row(entry: Entry, thumbnail: Thumbnail | None, out: Path) -> str:
+def _row(entry: ManifestEntry, thumbnail: Thumbnail | None, out: Path) -> str:
     kind = "failed" if entry.state is State.FAILED else "look" if attention(entry) else "fine"
     return f'<tr class="{kind}">{"".join(_cells(entry, thumbnail, out))}</tr>'
 
 
-def _cells(entry: Entry, thumbnail: Thumbnail | None, out: Path) -> Iterator[str]:
+def _cells(entry: ManifestEntry, thumbnail: Thumbnail | None, out: Path) -> Iterator[str]:
     measures = entry.measures
     yield _number(entry.row)
     played = f" <small>by {escape(entry.performer)}</small>" if entry.performer else ""
@@ -106,7 +108,7 @@ def _number(value: object) -> str:
     return f'<td class="number">{value}</td>'
 
 
-def _gestures(entry: Entry) -> str:
+def _gestures(entry: ManifestEntry) -> str:
     """How many gestures there are, how many gave way, and what the words do."""
     measures = entry.measures
     if measures is None:
@@ -120,7 +122,7 @@ def _gestures(entry: Entry) -> str:
     return f'<td data-value="{measures.gestures}">{measures.gestures}{dropped}{why}</td>'
 
 
-def _looks(entry: Entry) -> Iterator[str]:
+def _looks(entry: ManifestEntry) -> Iterator[str]:
     """What somebody should look at and what can be done, then the messages."""
     for weight, code in reasons(entry):
         meaning, advice = plain_words(code)
@@ -133,7 +135,7 @@ def _looks(entry: Entry) -> Iterator[str]:
         yield f'<details class="messages"><summary>messages</summary>{told}</details>'
 
 
-def _player(entry: Entry, out: Path) -> str:
+def _player(entry: ManifestEntry, out: Path) -> str:
     if not entry.audio:
         return ""
     cut = "" if entry.start_s is None or entry.end_s is None else f"#t={entry.start_s:.3f},{entry.end_s:.3f}"
@@ -149,7 +151,7 @@ def _relative(path: Path, out: Path) -> str:
         return path.absolute().as_uri()
 
 
-def _links(entry: Entry) -> str:
+def _links(entry: ManifestEntry) -> str:
     """The line's files, and the command that opens it in the studio."""
     links = [
         f'<a href="./{quote(file.path)}">{escape(f"{file.listener}: " if file.listener else "")}{escape(file.form)}</a>'

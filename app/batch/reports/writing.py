@@ -11,7 +11,7 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
-from ..manifest.entries import Entry, State
+from ..manifest.entries import ManifestEntry, State
 from ..work.files import clear_unfinished, write_whole
 from .attention import attention, reasons
 from .html_report import Heading, Thumbnail, to_html
@@ -19,12 +19,14 @@ from .html_report import Heading, Thumbnail, to_html
 REPORTS = ("report.csv", "report.html", "index.json")
 
 
-def in_order_of_attention(entries: Sequence[Entry]) -> list[Entry]:
+def in_order_of_attention(entries: Sequence[ManifestEntry]) -> list[ManifestEntry]:
     """The most urgent to check first, then in the script's order."""
     return sorted(entries, key=lambda entry: (-attention(entry), entry.place))
 
 
-def write_reports(out: Path, heading: Heading, entries: Sequence[Entry], thumbnails: Mapping[str, Thumbnail]) -> None:
+def write_reports(
+    out: Path, heading: Heading, entries: Sequence[ManifestEntry], thumbnails: Mapping[str, Thumbnail]
+) -> None:
     """Writes the reports; `thumbnails` are by the lines' ids. Raises OSError."""
     urgent = in_order_of_attention(entries)
     write_whole(out, "report.csv", to_csv(urgent))
@@ -68,7 +70,7 @@ COLUMNS = (
 )
 
 
-def to_csv(entries: Iterable[Entry]) -> bytes:
+def to_csv(entries: Iterable[ManifestEntry]) -> bytes:
     """The report, in the order of `entries`; with a byte order mark, by which spreadsheets recognize UTF-8."""
     stream = io.StringIO()
     writer = csv.DictWriter(stream, COLUMNS, lineterminator="\r\n")
@@ -77,7 +79,7 @@ def to_csv(entries: Iterable[Entry]) -> bytes:
     return stream.getvalue().encode("utf-8-sig")
 
 
-def _row(entry: Entry) -> Mapping[str, object]:
+def _row(entry: ManifestEntry) -> Mapping[str, object]:
     measures, failure = entry.measures, entry.failure
     row: dict[str, object] = {
         "row": entry.row,
@@ -112,13 +114,13 @@ def _harmless(value: object) -> object:
     return f"'{value}" if isinstance(value, str) and value.startswith(("=", "+", "-", "@", "\t")) else value
 
 
-def to_index(script: str, entries: Iterable[Entry]) -> bytes:
+def to_index(script: str, entries: Iterable[ManifestEntry]) -> bytes:
     """The lines that are done, in the script's order; paths are relative to the output folder."""
     lines = [_line(entry) for entry in sorted(entries, key=lambda one: one.place) if entry.state is State.DONE]
     return json.dumps({"script": script, "lines": lines}, indent=1, ensure_ascii=False).encode() + b"\n"
 
 
-def _line(entry: Entry) -> dict[str, object]:
+def _line(entry: ManifestEntry) -> dict[str, object]:
     listeners: dict[str, dict[str, str]] = {}
     for file in entry.outputs:
         if file.listener:

@@ -29,7 +29,7 @@ from ...schemas.edits import write_edits
 from ...schemas.references import ReferenceForm
 from ...settings import PREFIX, Settings
 from ..work.formats import LineFormat, OutputFormat, act_path, beside, extension_of, recording_name
-from ..work.jobs import Failure, LineJob, LineOutcome, Measures, OutputFile, Target
+from ..work.jobs import Failure, LineJob, LineOutcome, Measures, OutputFile, OutputTarget
 from ..work.speaking import ReferenceJob
 from ..work.worker import learn_in_worker
 from .processes import Processes
@@ -218,7 +218,7 @@ def _files(job: LineJob, audio: bytes, told: Mapping[str, Any]) -> Iterator[Outp
         yield _file(target, content)
 
 
-def _bml_files(target: Target, told: Mapping[str, Any]) -> Iterator[OutputFile]:
+def _bml_files(target: OutputTarget, told: Mapping[str, Any]) -> Iterator[OutputFile]:
     """The same files as `understudy.batch.work.performing` writes."""
     if told.get("speech_file"):
         yield _file(target, told["speech_file"]["bml"].encode())
@@ -228,7 +228,7 @@ def _bml_files(target: Target, told: Mapping[str, Any]) -> Iterator[OutputFile]:
         yield _file(replace(target, path=beside(target.path, name, target.form)), block.encode(), name)
 
 
-def _file(target: Target, content: bytes, listener: str = "") -> OutputFile:
+def _file(target: OutputTarget, content: bytes, listener: str = "") -> OutputFile:
     return OutputFile(target.form, target.path, len(content), listener, content)
 
 

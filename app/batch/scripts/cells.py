@@ -13,7 +13,7 @@ from ...model.targets import read_targets
 from ...schemas.affect import read_affect, read_affect_track
 from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits
-from ..model import Problem
+from ..model import RowProblem
 from .columns import Columns
 
 Read = TypeVar("Read")
@@ -30,7 +30,7 @@ class Row:
     cells: Sequence[str]
     columns: Columns
     folder: Path
-    problems: list[Problem] = field(default_factory=list)
+    problems: list[RowProblem] = field(default_factory=list)
 
     def text(self, name: str) -> str:
         """The cell without surrounding white space; empty where there is none."""
@@ -114,7 +114,7 @@ class Row:
 
     def wrong(self, name: str, code: str, message: str) -> None:
         column = self.columns.name(name) if name in self.columns.places else ""
-        self.problems.append(Problem(self.number, column, code, message, self.text("id")))
+        self.problems.append(RowProblem(self.number, column, code, message, self.text("id")))
 
     def _seconds(self, name: str) -> float | None:
         told = self.text(name)

@@ -14,7 +14,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from ...errors import UndecodableError
-from ..model import Problem, Script
+from ..model import RowProblem, Script
 from .columns import ColumnNames, find_columns
 from .sheets import LONGEST_CELL, ROWS_BEFORE_HEADINGS, heading_place, read_lines, read_sheet, within_limits
 from .text_files import decode_text
@@ -72,7 +72,7 @@ def read_json_lines(content: bytes, path: Path, named: Mapping[str, str]) -> Scr
             try:
                 objects[number] = _object(line)
             except ValueError as error:
-                problems.append(Problem(number, "", "not_json", str(error)))
+                problems.append(RowProblem(number, "", "not_json", str(error)))
     keys = list(dict.fromkeys(key for each in objects.values() for key in each))
     if not objects:
         return Script(path, (), tuple(problems))

@@ -28,7 +28,7 @@ _EMPHASIS = re.compile(r"(?<!\\)(?:\*{1,3}|_)")
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class Paragraph:
     """A paragraph of a screenplay: "scene" (its number, if it has one), "name", "aside", "words" or "other"."""
 
     kind: str
@@ -59,17 +59,17 @@ def read_fdx(content: bytes, path: Path, _named: Mapping[str, str]) -> Script:
     return _script(path, [_fdx_part(paragraph) for paragraph in root.iterfind("Content//Paragraph")], [])
 
 
-def _script(path: Path, parts: Iterable[Part], remarks: Sequence[str]) -> Script:
+def _script(path: Path, parts: Iterable[Paragraph], remarks: Sequence[str]) -> Script:
     lines, doubles = without_doubles(numbered(_speeches(parts)), "")
     return Script(path, lines, tuple(doubles), tuple(remarks))
 
 
-def _speeches(parts: Iterable[Part]) -> Iterator[ScriptLine]:
+def _speeches(parts: Iterable[Paragraph]) -> Iterator[ScriptLine]:
     """The speeches with words, in order; scenes without a number are numbered from 1."""
     numbers = (str(number) for number in count(1))
     scene = ""
-    speech: list[Part] = []
-    for part in [*parts, Part("other")]:
+    speech: list[Paragraph] = []
+    for part in [*parts, Paragraph("other")]:
         if part.kind in {"aside", "words"} and speech:
             speech.append(part)
             continue
@@ -82,7 +82,7 @@ def _speeches(parts: Iterable[Part]) -> Iterator[ScriptLine]:
             scene = part.text or number
 
 
-def _line(speech: Sequence[Part], scene: str) -> ScriptLine:
+def _line(speech: Sequence[Paragraph], scene: str) -> ScriptLine:
     name, beside = cue_name(speech[0].text)
     words = [part for part in speech if part.kind == "words"]
     asides = [part.text for part in speech if part.kind == "aside"]
@@ -112,20 +112,20 @@ class _Rows:
         return self._next
 
 
-def _part(element: Element, notes: Sequence[str], rows: _Rows) -> Part:
+def _part(element: Element, notes: Sequence[str], rows: _Rows) -> Paragraph:
     match element:
         case SceneHeading():
-            return Part("scene", element.scene_number or "")
+            return Paragraph("scene", element.scene_number or "")
         case Character():
             beside = f" ({element.extension})" if element.extension else ""
-            return Part("name", f"{element.name}{beside}", rows.of(element.name))
+            return Paragraph("name", f"{element.name}{beside}", rows.of(element.name))
         case Parenthetical():
-            return Part("aside", element.text.strip())
+            return Paragraph("aside", element.text.strip())
         case Dialogue() | Lyric():
             told = [_ID_NOTE.fullmatch(notes[int(number)]) for number in _NOTE.findall(element.text_raw)]
-            return Part("words", _plain(element.text), id=next((match[1] for match in told if match), ""))
+            return Paragraph("words", _plain(element.text), id=next((match[1] for match in told if match), ""))
         case _:
-            return Part("other")
+            return Paragraph("other")
 
 
 def _plain(text: str) -> str:
@@ -133,18 +133,18 @@ def _plain(text: str) -> str:
     return _EMPHASIS.sub("", text).replace("\\*", "*").replace("\\_", "_")
 
 
-def _fdx_part(paragraph: "etree._Element") -> Part:
+def _fdx_part(paragraph: "etree._Element") -> Paragraph:
     """The part for a paragraph of Final Draft, which has a separate run of text for each style."""
     text = "".join(run.text or "" for run in paragraph.iterfind("Text"))
     row: int = paragraph.sourceline or 0  # type: ignore[assignment]  # lxml-stubs leave it open
     match paragraph.get("Type"):
         case "Scene Heading":
-            return Part("scene", paragraph.get("Number") or "")
+            return Paragraph("scene", paragraph.get("Number") or "")
         case "Character":
-            return Part("name", text, row)
+            return Paragraph("name", text, row)
         case "Parenthetical":
-            return Part("aside", text.strip().removeprefix("(").removesuffix(")").strip())
+            return Paragraph("aside", text.strip().removeprefix("(").removesuffix(")").strip())
         case "Dialogue" | "Singing":
-            return Part("words", text)
+            return Paragraph("words", text)
         case _:
-            return Part("other")
+            return Paragraph("other")

@@ -14,7 +14,7 @@ from pathlib import Path, PurePath
 from types import MappingProxyType
 
 from ...errors import InputError, TooLargeError
-from ..model import Problem, Script, ScriptLine, place_told
+from ..model import RowProblem, Script, ScriptLine, place_told
 from .cells import Row
 from .columns import ColumnNames, Columns, find_columns, folded
 from .speeches import with_name
@@ -86,7 +86,7 @@ def heading_place(rows: Sequence[Cells], names: ColumnNames, named: Mapping[str,
     return known.index(max(known))
 
 
-def without_doubles(lines: Sequence[ScriptLine], column: str) -> tuple[tuple[ScriptLine, ...], list[Problem]]:
+def without_doubles(lines: Sequence[ScriptLine], column: str) -> tuple[tuple[ScriptLine, ...], list[RowProblem]]:
     """The lines whose id does not repeat an earlier one (without case, as in file names), and a problem for each of the
     others."""
     first: dict[str, ScriptLine] = {}
@@ -98,11 +98,11 @@ def without_doubles(lines: Sequence[ScriptLine], column: str) -> tuple[tuple[Scr
         else:
             place = place_told(earlier.row, earlier.sheet)
             message = f"{line.id!r} is {place}'s already; give each line an id of its own"
-            problems.append(Problem(line.row, column, "id_repeated", message, line.id, line.sheet))
+            problems.append(RowProblem(line.row, column, "id_repeated", message, line.id, line.sheet))
     return tuple(kept), problems
 
 
-def _read_row(row: Row) -> tuple[ScriptLine, list[Problem]]:
+def _read_row(row: Row) -> tuple[ScriptLine, list[RowProblem]]:
     direction, told = row.direction()
     line = ScriptLine(
         row=row.number,
@@ -126,7 +126,7 @@ def _read_row(row: Row) -> tuple[ScriptLine, list[Problem]]:
         row.wrong("text", "text_empty", "no words; write what is spoken")
     if len(row.cells) > len(row.columns.header) and any(cell.strip() for cell in row.cells[len(row.columns.header) :]):
         message = f"{len(row.cells)} cells under {len(row.columns.header)} headings; quote a text that has separators"
-        row.problems.append(Problem(row.number, "", "row_too_long", message, line.id))
+        row.problems.append(RowProblem(row.number, "", "row_too_long", message, line.id))
     return line, row.problems
 
 
@@ -147,7 +147,7 @@ _YARN_PREFIX = "line:"
 
 
 @dataclass(frozen=True, slots=True)
-class Dialect:
+class SheetDialect:
     """An export format: the headings by which it is recognized, the headings of its fields, and the conversion of its
     lines."""
 
@@ -174,12 +174,12 @@ def _of_yarn(line: ScriptLine) -> ScriptLine:
 
 
 DIALECTS = (
-    Dialect(
+    SheetDialect(
         frozenset({"identifier", "character", "dialogue", "filename"}),
         {"id": "Identifier", "character": "Character", "text": "Dialogue"},
         _of_renpy,
     ),
-    Dialect(
+    SheetDialect(
         frozenset({"id", "text", "file", "node", "linenumber"}),
         {"id": "id", "text": "text", "scene": "node", "comment": "comment"},
         _of_yarn,
@@ -187,7 +187,7 @@ DIALECTS = (
 )
 
 
-def dialect_of(header: Sequence[str]) -> Dialect | None:
+def dialect_of(header: Sequence[str]) -> SheetDialect | None:
     """The export format that a header belongs to; None for any other sheet."""
     names = {folded(cell) for cell in header}
     return next((dialect for dialect in DIALECTS if dialect.signature <= names), None)

@@ -15,7 +15,7 @@ from webvtt.errors import MalformedCaptionError, MalformedFileError
 
 from ...errors import UndecodableError
 from ...model import Interval
-from ..model import Problem, Script, ScriptLine
+from ..model import RowProblem, Script, ScriptLine
 from .sheets import without_doubles
 from .speeches import spoken, with_name, without_tags
 from .text_files import decode_text
@@ -72,7 +72,7 @@ def _script(path: Path, cues: Iterable[Cue], remark: str) -> Script:
             silent += 1
         elif cue.start_s >= cue.end_s:
             message = f"ends at {cue.end_s:.3f} s, before it begins"
-            problems.append(Problem(number, "", "value_wrong", message, line.id))
+            problems.append(RowProblem(number, "", "value_wrong", message, line.id))
         else:
             lines.append(line)
     kept, doubles = without_doubles(lines, "")

@@ -11,7 +11,7 @@ from .formats import OutputFormat
 
 
 @dataclass(frozen=True, slots=True)
-class Target:
+class OutputTarget:
     """A file to be written: its format and its path relative to the output folder, with forward slashes."""
 
     form: OutputFormat
@@ -39,7 +39,7 @@ class LineJob:
     text: str
     audio: AudioSource
     options: Options
-    targets: tuple[Target, ...]
+    targets: tuple[OutputTarget, ...]
     direction: Direction | None = None
     motion: MotionForm = MotionForm()
     folder: Path | None = None

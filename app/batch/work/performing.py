@@ -27,7 +27,7 @@ from ...model.formats.motion_formats import AudioFile, FileOptions, MotionFormat
 from ...models import Understudy
 from .files import write_files
 from .formats import LineFormat, act_path, beside, needs_motion, recording_name
-from .jobs import Failure, LineJob, LineOutcome, Measures, OutputFile, Target
+from .jobs import Failure, LineJob, LineOutcome, Measures, OutputFile, OutputTarget
 
 _NOT_AS_ASKED = frozenset({"dropped", "late", "cut"})
 """The realizer's decisions that somebody may mind; a hold that is shorter or a blend nobody does."""
@@ -94,7 +94,7 @@ def _files(
             yield _file(target, "", spoken[target.form]())
 
 
-def _bml_files(target: Target, performance: Performance, form: BmlForm) -> Iterator[OutputFile]:
+def _bml_files(target: OutputTarget, performance: Performance, form: BmlForm) -> Iterator[OutputFile]:
     """The speaker's BML and each listener's. SmartBody's act is beside the file with words and visemes, which has the
     line's own name."""
     if form.dialect is DialectName.SMARTBODY:
@@ -108,7 +108,7 @@ def _bml_files(target: Target, performance: Performance, form: BmlForm) -> Itera
         yield _file(target, name, content)
 
 
-def _file(target: Target, listener: str, content: bytes) -> OutputFile:
+def _file(target: OutputTarget, listener: str, content: bytes) -> OutputFile:
     path = beside(target.path, listener, target.form) if listener else target.path
     return OutputFile(target.form, path, len(content), listener, content)
 

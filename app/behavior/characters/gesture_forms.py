@@ -11,10 +11,10 @@ from functools import partial
 from itertools import chain
 
 from ...model import Channel, Hand, Level
-from ...model.figure import Manner
+from ...model.figure import GestureManner
 from ...model.limits.gesture_limits import Forms, GestureTable
 from ...on_demand import OnDemand
-from ..table.behavior_table import BehaviorEntry, BriefGesture, Phase, Timing
+from ..table.behavior_table import BehaviorEntry, BriefGesture, PhaseDuration, Timing
 from .overlays import Character, Characters
 
 
@@ -48,7 +48,7 @@ def with_forms(character: Character, table: GestureTable, level: Level) -> Chara
     return replace(character, entries=entries)
 
 
-def _with_forms(entry: BehaviorEntry, table: GestureTable, level: Level, manner: Manner) -> BehaviorEntry:
+def _with_forms(entry: BehaviorEntry, table: GestureTable, level: Level, manner: GestureManner) -> BehaviorEntry:
     found = table.of(entry.lexeme, level) if entry.channel is Channel.GESTURE else {}
     forms = {hand: tuple(form.in_manner(manner) for form in of_hand) for hand, of_hand in found.items()}
     if not forms:
@@ -82,9 +82,9 @@ def stroke_timing(timing: Timing, forms: Forms) -> Timing:
     """The timing with a stroke as long as the longest of the forms."""
     before_s, after_s = max(form.before_s for form in forms), max(form.after_s for form in forms)
     stroke_s = before_s + after_s
-    return replace(timing, stroke=Phase(stroke_s, stroke_s), emphasis=before_s / stroke_s)
+    return replace(timing, stroke=PhaseDuration(stroke_s, stroke_s), emphasis=before_s / stroke_s)
 
 
 def _without_hold(timing: Timing) -> Timing:
     """The timing with a hold that may be left out."""
-    return replace(timing, hold=Phase(0.0, timing.hold.usual_s))
+    return replace(timing, hold=PhaseDuration(0.0, timing.hold.usual_s))

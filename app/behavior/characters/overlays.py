@@ -17,7 +17,7 @@ from pydantic import BeforeValidator, Field
 
 from ...errors import AuthoringError, InputError, Mistake, collected, did_you_mean, shown
 from ...model import Channel, Hand
-from ...model.figure import AVERAGE_HEIGHT_M, PLAIN, Figure, Hair, Legwear, Looks, Manner, Physique, Sex
+from ...model.figure import AVERAGE_HEIGHT_M, PLAIN, Figure, GestureManner, Hair, Legwear, Looks, Physique, Sex
 from ...yaml_files import Entry, Source
 from ..candidates.vocabulary import BANNABLE
 from ..idle.saccades import TALKING
@@ -165,7 +165,7 @@ class _CharacterFile(Entry):
         return Figure(
             Physique(**body | {"sex": Sex(self.body.sex)}),
             Looks(**looks | {"hair": Hair(self.looks.hair), "legwear": Legwear(self.looks.legwear)}),
-            Manner(**self.gestures.model_dump()),
+            GestureManner(**self.gestures.model_dump()),
             Hand(self.handedness),
         )
 

@@ -29,7 +29,7 @@ from .necessity import WEIGHT
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class ChoiceContext:
     """What the choice depends on besides the candidates: the timed words, the character, the most gestures (usual and
     planned), the most that functions may ask for by their priority alone, and
     what is forbidden where."""
@@ -52,7 +52,7 @@ class Attempt:
 
 
 def attempted(
-    offer: BehaviorCandidates, alternative: Alternative, number: int, *, kept: KeptByTime, line: Line
+    offer: BehaviorCandidates, alternative: Alternative, number: int, *, kept: KeptByTime, line: ChoiceContext
 ) -> Attempt:
     """The attempt at one of the offer's alternatives, `number` in the order of their luck."""
     own: list[Fitted] = []
@@ -72,7 +72,7 @@ def attempted(
 
 
 def _outcome(
-    candidate: PlacedBehavior, offer: BehaviorCandidates, kept: KeptByTime, line: Line, *, hand: Hand | None
+    candidate: PlacedBehavior, offer: BehaviorCandidates, kept: KeptByTime, line: ChoiceContext, *, hand: Hand | None
 ) -> Fitted | Behavior:
     """The candidate among the kept, or its behaviour as a loser; a director's notes are not limited by the character's
     rate. `hand` is that of the table."""
@@ -88,7 +88,7 @@ def _outcome(
     return fitted_as_asked(candidate, kept, hand=hand, by_either_hand=_is_worth_a_hand(offer))
 
 
-def count_made(offers: Iterable[BehaviorCandidates], kept: KeptByTime, line: Line) -> int:
+def count_made(offers: Iterable[BehaviorCandidates], kept: KeptByTime, line: ChoiceContext) -> int:
     """How many of the offers that need the hands can be made one after the other, or are made already, beside the
     kept."""
     count = 0
@@ -109,7 +109,7 @@ def _is_worth_a_hand(offer: BehaviorCandidates) -> bool:
     return offer.function is None or offer.function.class_name not in WEIGHT
 
 
-def _with_gesture(alternative: Alternative, kept: KeptByTime, line: Line) -> KeptByTime | None:
+def _with_gesture(alternative: Alternative, kept: KeptByTime, line: ChoiceContext) -> KeptByTime | None:
     """What is kept with the gesture of an alternative that is asked for; None where it cannot be made."""
     for movement in alternative.movements:
         entry = line.character.entries[movement.name]
@@ -123,7 +123,7 @@ def _with_gesture(alternative: Alternative, kept: KeptByTime, line: Line) -> Kep
     return None
 
 
-def _refused(behavior: Behavior, kept: KeptByTime, line: Line, *, planned: bool) -> Behavior | None:
+def _refused(behavior: Behavior, kept: KeptByTime, line: ChoiceContext, *, planned: bool) -> Behavior | None:
     """The gesture as a loser, if the character would not make it beside those it makes; else None."""
     if behavior.kind is not Channel.GESTURE:
         return None

@@ -18,11 +18,11 @@ from ...model import Alternative, Behavior, BehaviorCandidates, Channel
 from ..timing.anchoring import asked, interval_of, words_before
 from ..timing.conflicts import Kept
 from ..timing.time_index import KeptByTime
-from .attempts import Attempt, Line, attempted, count_made, is_planned
+from .attempts import Attempt, ChoiceContext, attempted, count_made, is_planned
 from .hands import HAND_SWITCH_S, stroke_s, switches
 
 
-def suitability(attempt: Attempt, line: Line) -> float:
+def suitability(attempt: Attempt, line: ChoiceContext) -> float:
     """How well an alternative suits what is kept, in [0, 1]; 0 if no part of it fits."""
     suits = 1.0 if not attempt.lost else IN_PART * len(attempt.own) / (len(attempt.own) + len(attempt.lost))
     for each in attempt.own:
@@ -58,7 +58,7 @@ NEAR_UNIT_S = 1.0
 """A gesture that begins this soon after the end of another could have joined it."""
 
 
-def has_idle_hands(kept: KeptByTime, line: Line) -> bool:
+def has_idle_hands(kept: KeptByTime, line: ChoiceContext) -> bool:
     """Whether the character usually gestures more than is kept."""
     return kept.gestures < line.most_gestures
 
@@ -128,7 +128,7 @@ NEAR_WORDS = 3
 """Offers that begin within this many words of each other may need the hands at the same time."""
 
 
-def choose(candidates: Iterable[BehaviorCandidates], line: Line) -> tuple[Kept, tuple[Behavior, ...]]:
+def choose(candidates: Iterable[BehaviorCandidates], line: ChoiceContext) -> tuple[Kept, tuple[Behavior, ...]]:
     """What is kept, and what was asked for and is not, with the reasons; at most one alternative for each function."""
     kept = KeptByTime()
     lost: list[Behavior] = []
@@ -145,7 +145,7 @@ def choose(candidates: Iterable[BehaviorCandidates], line: Line) -> tuple[Kept, 
     return tuple(kept), tuple(lost)
 
 
-def _is_manual(offer: BehaviorCandidates, line: Line) -> bool:
+def _is_manual(offer: BehaviorCandidates, line: ChoiceContext) -> bool:
     """Whether only the hands can show it."""
     return all(
         any(line.character.entries[movement.name].channel is Channel.GESTURE for movement in alternative.movements)
@@ -153,12 +153,12 @@ def _is_manual(offer: BehaviorCandidates, line: Line) -> bool:
     )
 
 
-def _rank(offer: BehaviorCandidates, line: Line) -> tuple[float, bool, tuple[float, int, int, str]]:
+def _rank(offer: BehaviorCandidates, line: ChoiceContext) -> tuple[float, bool, tuple[float, int, int, str]]:
     """Sort key: by priority; of equal ones, those choose first for whose gestures there is time."""
     return -offer.priority, _is_hurried(offer, line), offer.rank
 
 
-def _is_hurried(offer: BehaviorCandidates, line: Line) -> bool:
+def _is_hurried(offer: BehaviorCandidates, line: ChoiceContext) -> bool:
     """Whether one of its strokes would begin at 0 for lack of time."""
     _priority, first, _last, _id = offer.rank
     begun = words_before(line.timed, first + 1)
@@ -170,7 +170,9 @@ def _is_hurried(offer: BehaviorCandidates, line: Line) -> bool:
     return any(each.behavior.sync.stroke_start == 0 for each in placed)
 
 
-def _best(offer: BehaviorCandidates, kept: KeptByTime, line: Line, waiting: Sequence[BehaviorCandidates]) -> Attempt:
+def _best(
+    offer: BehaviorCandidates, kept: KeptByTime, line: ChoiceContext, waiting: Sequence[BehaviorCandidates]
+) -> Attempt:
     """The attempt that wins; what the luckiest alternative lost is reported with it. `waiting` are the offers
     nearby that are yet to choose and can only use the hands."""
     lucky = sorted(offer.alternatives, key=_luck)
@@ -205,7 +207,7 @@ def _score(
     alternative: Alternative,
     attempt: Attempt,
     *,
-    line: Line,
+    line: ChoiceContext,
     waiting: Sequence[BehaviorCandidates],
     possible: int,
 ) -> float:
@@ -226,7 +228,7 @@ def _near(
     return [near[turn] for turn in sorted(near)]
 
 
-def most_suitable(alternative: Alternative, line: Line, *, hands_idle: bool) -> float:
+def most_suitable(alternative: Alternative, line: ChoiceContext, *, hands_idle: bool) -> float:
     """The upper bound of an alternative's suitability, given whether the character usually gestures more
     (`hands_idle`)."""
     entries = line.character.entries

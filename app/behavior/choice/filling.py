@@ -37,7 +37,7 @@ LOOK_S, LOOK_DEGREES = 0.7, 10.0
 
 
 @dataclass(frozen=True, slots=True)
-class Rest:
+class FillingContext:
     """What the fillers of a line depend on: its words, its end, the character, the random generator, and what is
     forbidden where."""
 
@@ -55,7 +55,7 @@ class Rest:
         character: Character,
         seed: str,
         bans: tuple[Ban, ...] = (),
-    ) -> "Rest":
+    ) -> "FillingContext":
         ends = [word.interval.end_s for word in timed if word.interval is not None]
         text = " ".join(word.text for word in utterance.words)
         return cls(timed, utterance.duration_s or ends[-1], character, random.Random(f"{seed} {text}"), bans)
@@ -68,7 +68,7 @@ class Rest:
         return not banned(self.bans, name, first, last)
 
 
-def fillers(kept: Kept, rest: Rest, habit: Habit) -> tuple[PlacedBehavior, ...]:
+def fillers(kept: Kept, rest: FillingContext, habit: Habit) -> tuple[PlacedBehavior, ...]:
     """Looks aside, with the eyes alone or with the head, and drifts of the head in the time that these and the kept
     leave free."""
     looks = tuple(_looks_aside(kept, rest, habit))
@@ -87,7 +87,7 @@ def free(kept: Kept, channel: Channel, end_s: float) -> Iterator[Interval]:
         yield Interval(begin_s, end_s)
 
 
-def _drifts(kept: Kept, rest: Rest) -> Iterator[PlacedBehavior]:
+def _drifts(kept: Kept, rest: FillingContext) -> Iterator[PlacedBehavior]:
     activity = 1 - rest.character.stillness
     name = ""
     for gap in free(kept, Channel.HEAD, rest.end_s):
@@ -118,7 +118,7 @@ def _has(behavior: Behavior, channel: Channel) -> bool:
     return channel is Channel.HEAD and behavior.lexeme == LOOK and behavior.direction is not None
 
 
-def _looks_aside(kept: Kept, rest: Rest, habit: Habit) -> Iterator[PlacedBehavior]:
+def _looks_aside(kept: Kept, rest: FillingContext, habit: Habit) -> Iterator[PlacedBehavior]:
     for gap in free(kept, Channel.GAZE, interval_of(rest.words[-1]).start_s):
         for glance in glances(gap, habit, rest.generator):
             during, angle, name = glance.interval, glance.angle_degrees, "saccade"
@@ -138,7 +138,7 @@ def _longest_within(stretches: Iterable[Interval], whole: Interval) -> Interval:
     return max(parts, key=lambda part: part.duration_s, default=Interval(0.0, 0.0))
 
 
-def _filler(entry: BehaviorEntry, interval: Interval, rest: Rest, reason: str) -> PlacedBehavior:
+def _filler(entry: BehaviorEntry, interval: Interval, rest: FillingContext, reason: str) -> PlacedBehavior:
     begun = [word.index for word in rest.words if word.interval and word.interval.start_s <= interval.start_s]
     word = begun[-1] if begun else rest.words[0].index
     return filler(entry, interval, word, reason)

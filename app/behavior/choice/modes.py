@@ -15,7 +15,7 @@ from ..reading.player import banned
 from ..timing.anchoring import PlacedBehavior, asked
 from ..timing.conflicts import Fitted, Kept, fitted
 from ..timing.time_index import KeptByTime
-from .attempts import Line
+from .attempts import ChoiceContext
 from .hands import with_hand
 
 BEAT = "beat_gesture"
@@ -28,7 +28,7 @@ DRAWS = 8
 def in_mode(
     mode: Mode,
     chosen: tuple[Kept, tuple[Behavior, ...]],
-    line: Line,
+    line: ChoiceContext,
     seed: int,
 ) -> tuple[Kept, tuple[Behavior, ...]]:
     """What is kept and lost in a mode, from what was chosen by meaning."""
@@ -46,7 +46,7 @@ def in_mode(
     return tuple(drawn), (*lost, *replaced)
 
 
-def _beaten_in(kept: KeptByTime, line: Line) -> KeptByTime:
+def _beaten_in(kept: KeptByTime, line: ChoiceContext) -> KeptByTime:
     """The kept with beats on stressed words, as many as the character makes, spread over the line."""
     stressed = [word for word in line.timed if word.is_emphasised]
     for part in _parts(stressed, line.most_gestures):
@@ -61,7 +61,7 @@ def _parts(stressed: Sequence[Word], most: int) -> list[Sequence[Word]]:
     return [stressed[first:last] for first, last in pairwise(bounds)]
 
 
-def _beaten_once(kept: KeptByTime, part: Sequence[Word], line: Line) -> KeptByTime:
+def _beaten_once(kept: KeptByTime, part: Sequence[Word], line: ChoiceContext) -> KeptByTime:
     """The kept with a beat on the most stressed word of a part on which one fits; of equally stressed words the last,
     because English has its main stress late."""
     for word in sorted(part, key=lambda word: (-(word.emphasis or 0.0), -word.index)):
@@ -72,7 +72,9 @@ def _beaten_once(kept: KeptByTime, part: Sequence[Word], line: Line) -> KeptByTi
     return kept
 
 
-def _drawn(kept: KeptByTime, gestures: list[PlacedBehavior], line: Line, generator: random.Random) -> KeptByTime:
+def _drawn(
+    kept: KeptByTime, gestures: list[PlacedBehavior], line: ChoiceContext, generator: random.Random
+) -> KeptByTime:
     """The kept with a random gesture of the table in place of each gesture."""
     names = [name for name, entry in line.character.entries.items() if entry.channel is Channel.GESTURE]
     for each in gestures:
@@ -86,7 +88,7 @@ def _drawn(kept: KeptByTime, gestures: list[PlacedBehavior], line: Line, generat
     return kept
 
 
-def _fitted(movement: Movement, kept: KeptByTime, line: Line, reason: str) -> Fitted | None:
+def _fitted(movement: Movement, kept: KeptByTime, line: ChoiceContext, reason: str) -> Fitted | None:
     if banned(line.bans, movement.name, movement.first, movement.last):
         return None
     name = f"{movement.name}.{movement.first}.{movement.last}"

@@ -19,9 +19,9 @@ from ..reading.player import Ban, banned
 from ..timing.anchoring import PlacedBehavior, interval_of, placed_idle
 from ..timing.conflicts import Kept, resolve
 from ..timing.transitions import eased
-from .attempts import Line
+from .attempts import ChoiceContext
 from .choosing import choose
-from .filling import Rest, fillers
+from .filling import FillingContext, fillers
 from .modes import in_mode
 from .necessity import BLINK, needed
 
@@ -62,19 +62,21 @@ def schedule(
     at_rate = most_gestures(character, spoken_s * (PLANNED_MORE if planned else 1.0))
     level = utterance.level
     most_asked = most_gestures(character, spoken_s * ASKED_MORE[level])
-    line = Line(timed, character, at_rate + _second_places(candidates), most_asked, bans)
+    line = ChoiceContext(timed, character, at_rate + _second_places(candidates), most_asked, bans)
     kept, lost = choose(candidates, line)
     kept, needless = needed(kept, candidates)
     usual = replace(line, most_gestures=most_gestures(character, spoken_s))
     kept, lost = in_mode(mode, (kept, (*lost, *needless)), usual, seed)
     kept, own_lost = resolve(_idle(kept, utterance, usual, seed, several_listeners=several_listeners), kept)
     kept = eased(kept)
-    rest = Rest.of(utterance, timed, character, f"{seed} rest", bans)
+    rest = FillingContext.of(utterance, timed, character, f"{seed} rest", bans)
     kept += fillers(kept, rest, replace(TALKING, eye_contact=character.eye_contact))
     return numbered([*(candidate.behavior for candidate in kept), *lost, *own_lost])
 
 
-def _idle(kept: Kept, utterance: Utterance, line: Line, seed: int, *, several_listeners: bool) -> list[PlacedBehavior]:
+def _idle(
+    kept: Kept, utterance: Utterance, line: ChoiceContext, seed: int, *, several_listeners: bool
+) -> list[PlacedBehavior]:
     """What the body does by itself beside the kept, and nobody forbids."""
     character = line.character
     gazes = [each.behavior.sync for each in kept if each.behavior.kind is Channel.GAZE]

@@ -23,7 +23,7 @@ from pydantic import Field
 from ...model import Behavior, Channel, Utterance, Word
 from ...yaml_files import Entry, Source
 from ..characters.overlays import Character
-from ..choice.filling import Rest, fillers
+from ..choice.filling import FillingContext, fillers
 from ..choice.scheduling import numbered
 from ..idle.idle_behaviors import IdleBehavior, blinks
 from ..idle.saccades import LISTENING
@@ -114,7 +114,7 @@ def listen(
         if not listener.never(idle.name, idle.word)
     ]
     kept, lost = resolve([*mirrored, *own])
-    kept += fillers(kept, Rest.of(utterance, timed, character, luck, listener.bans), LISTENING)
+    kept += fillers(kept, FillingContext.of(utterance, timed, character, luck, listener.bans), LISTENING)
     return tuple(
         replace(behavior, target=listener.speaker) if behavior.kind is Channel.GAZE else behavior
         for behavior in numbered([*(each.behavior for each in kept), *lost])

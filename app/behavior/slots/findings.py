@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from ...model import Token
 from ...model.slots import Distance
-from .patterns import Match, find, number_of, possible, vocabulary_of
+from .patterns import PatternMatch, find, number_of, possible, vocabulary_of
 from .table import LENGTH, NOUN, Saying, SlotTable
 
 Value = str | int | float
@@ -54,7 +54,7 @@ def _said(table: SlotTable, saying: Saying, tokens: Sequence[Token], vocabulary:
                 yield found
 
 
-def _finding(table: SlotTable, saying: Saying, match: Match, tokens: Sequence[Token]) -> Finding | None:
+def _finding(table: SlotTable, saying: Saying, match: PatternMatch, tokens: Sequence[Token]) -> Finding | None:
     """The finding of a match; None if it has a length or number that cannot be shown."""
     value: Value | None = saying.value
     length_m: float | None = None
@@ -73,7 +73,7 @@ def _finding(table: SlotTable, saying: Saying, match: Match, tokens: Sequence[To
     return Finding(saying.slot, value, first, last, length_m)
 
 
-def _count(table: SlotTable, value: str, match: Match, tokens: Sequence[Token]) -> int | None:
+def _count(table: SlotTable, value: str, match: PatternMatch, tokens: Sequence[Token]) -> int | None:
     """The number if fingers can show it."""
     if value != "number":
         return int(value)
@@ -81,7 +81,7 @@ def _count(table: SlotTable, value: str, match: Match, tokens: Sequence[Token]) 
     return int(said) if said is not None and 1 <= said <= MOST_FINGERS else None
 
 
-def _length_m(table: SlotTable, match: Match, tokens: Sequence[Token]) -> float | None:
+def _length_m(table: SlotTable, match: PatternMatch, tokens: Sequence[Token]) -> float | None:
     """The length in a match: its number times the first unit after it."""
     if match.number is None:
         return None

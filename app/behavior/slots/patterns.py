@@ -22,7 +22,7 @@ NUMBER = "#"
 
 
 @dataclass(frozen=True, slots=True)
-class Element:
+class PatternElement:
     """One element: words, parts of speech, or (`gap`) any words; `number` matches number words."""
 
     words: frozenset[str] = frozenset()
@@ -44,7 +44,7 @@ class Element:
 
 
 @dataclass(frozen=True, slots=True)
-class Match:
+class PatternMatch:
     """Tokens `first` to `last` that a pattern matches; `named` is the one that names a thing, `number` a number."""
 
     first: int
@@ -61,7 +61,7 @@ def number_of(token: Token, numbers: Mapping[str, float]) -> float | None:
     return numbers.get(text)
 
 
-def read_pattern(text: str, sets: Mapping[str, Collection[str]]) -> tuple[Element, ...]:
+def read_pattern(text: str, sets: Mapping[str, Collection[str]]) -> tuple[PatternElement, ...]:
     """The elements of a pattern. Raises ValueError with a message for its author."""
     elements = tuple(_read_element(part, sets) for part in text.split())
     if not elements or all(each.optional or each.gap for each in elements):
@@ -69,21 +69,21 @@ def read_pattern(text: str, sets: Mapping[str, Collection[str]]) -> tuple[Elemen
     return elements
 
 
-def _read_element(text: str, sets: Mapping[str, Collection[str]]) -> Element:
+def _read_element(text: str, sets: Mapping[str, Collection[str]]) -> PatternElement:
     if text == _GAP:
-        return Element(gap=True)
+        return PatternElement(gap=True)
     if text == _QUESTION_MARK:
-        return Element(frozenset({text}))
+        return PatternElement(frozenset({text}))
     found = _ELEMENT.fullmatch(text)
     if found is None:
         raise ValueError(f"{text!r} is no element: write word, one|other, <set>, #, NOUN, word/NOUN, ... or ?")
     words, parts = found["words"], set((found["parts"] or "").split("+")) - {""}
     optional, names = bool(found["optional"]), bool(found["at"])
     if words == NUMBER:
-        return Element(parts=frozenset(parts), number=True, optional=optional, names=names)
+        return PatternElement(parts=frozenset(parts), number=True, optional=optional, names=names)
     if _PARTS.fullmatch(words):
-        return Element(parts=frozenset(words.split("|")), optional=optional, names=names)
-    return Element(frozenset(_words(words, sets)), frozenset(parts), optional=optional, names=names)
+        return PatternElement(parts=frozenset(words.split("|")), optional=optional, names=names)
+    return PatternElement(frozenset(_words(words, sets)), frozenset(parts), optional=optional, names=names)
 
 
 def _words(text: str, sets: Mapping[str, Collection[str]]) -> Iterator[str]:
@@ -99,14 +99,14 @@ def vocabulary_of(tokens: Iterable[Token]) -> frozenset[str]:
     return frozenset(word for token in tokens for word in (token.text.lower(), token.lemma.lower()))
 
 
-def possible(pattern: Iterable[Element], vocabulary: frozenset[str]) -> bool:
+def possible(pattern: Iterable[PatternElement], vocabulary: frozenset[str]) -> bool:
     """Whether a line of this vocabulary has all words that a pattern cannot do without: most are told apart so."""
     return not any(each.words and not each.optional and each.words.isdisjoint(vocabulary) for each in pattern)
 
 
 def find(
-    pattern: Sequence[Element], tokens: Sequence[Token], numbers: Mapping[str, float], start: int = 0
-) -> Iterator[Match]:
+    pattern: Sequence[PatternElement], tokens: Sequence[Token], numbers: Mapping[str, float], start: int = 0
+) -> Iterator[PatternMatch]:
     """The matches of a pattern from token `start` on, the longest at each place."""
     for first in range(start, len(tokens)):
         ends = list(_ends(pattern, tokens, numbers, first))
@@ -114,12 +114,12 @@ def find(
             last, taken = max(ends, key=lambda end: end[0])
             named = [at for at, element in taken if element.names]
             number = [at for at, element in taken if element.number]
-            yield Match(first, last, named[-1] if named else None, number[0] if number else None)
+            yield PatternMatch(first, last, named[-1] if named else None, number[0] if number else None)
 
 
 def _ends(
-    pattern: Sequence[Element], tokens: Sequence[Token], numbers: Mapping[str, float], at: int
-) -> Iterator[tuple[int, tuple[tuple[int, Element], ...]]]:
+    pattern: Sequence[PatternElement], tokens: Sequence[Token], numbers: Mapping[str, float], at: int
+) -> Iterator[tuple[int, tuple[tuple[int, PatternElement], ...]]]:
     """The last tokens of all ways in which the pattern matches from `at` on, with which token each element took."""
     if not pattern:
         yield at - 1, ()

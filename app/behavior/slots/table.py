@@ -11,7 +11,7 @@ from pydantic import Field
 from ...errors import AuthoringError, Mistake, did_you_mean
 from ...model.slots import Distance, Height, Side, Size, Slots, Which
 from ...yaml_files import Entry, Source
-from .patterns import Element, read_pattern
+from .patterns import PatternElement, read_pattern
 
 NOTHING = "none"
 """The value of words that look as if they said something and do not."""
@@ -19,7 +19,7 @@ NOTHING = "none"
 LENGTH, NOUN = "length", "noun"
 """The values that the words themselves have: a length in units, the noun that names a thing."""
 
-Pattern = tuple[Element, ...]
+Pattern = tuple[PatternElement, ...]
 _CLASSES = MappingProxyType({"height": Height, "size": Size, "side": Side, "distance": Distance, "which": Which})
 
 
@@ -34,7 +34,7 @@ class Saying:
 
 
 @dataclass(frozen=True, slots=True)
-class Pair:
+class ContrastPair:
     """Words that put one thing against another: the first to the left, the second to the right."""
 
     one: tuple[Pattern, ...]
@@ -47,7 +47,7 @@ class SlotTable:
     can show."""
 
     sayings: tuple[Saying, ...]
-    pairs: tuple[Pair, ...]
+    pairs: tuple[ContrastPair, ...]
     numbers: Mapping[str, float]
     units_m: Mapping[str, float]
     heights_m: Mapping[Height, float]
@@ -73,7 +73,7 @@ class SlotTable:
 
         return cls(
             sayings=tuple(_sayings(file, read)),
-            pairs=tuple(Pair(read(each.one), read(each.other)) for each in file.contrasts),
+            pairs=tuple(ContrastPair(read(each.one), read(each.other)) for each in file.contrasts),
             numbers=MappingProxyType({word: number for number, words in file.numbers.items() for word in words}),
             units_m=MappingProxyType({word: metres for metres, words in file.units_m.items() for word in words}),
             heights_m=MappingProxyType(file.heights_m),

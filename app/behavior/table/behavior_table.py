@@ -42,7 +42,7 @@ class Anchor(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Phase:
+class PhaseDuration:
     """The duration of a phase: at least `shortest_s`, `usual_s` if there is room (a hold: at most `usual_s`)."""
 
     shortest_s: float
@@ -54,10 +54,10 @@ class Timing:
     """The phases of a behaviour (paper Table 3); `alignment` is the share of the stroke before the stressed vowel,
     `emphasis` the share before its point of emphasis."""
 
-    preparation: Phase
-    stroke: Phase
-    hold: Phase
-    retraction: Phase
+    preparation: PhaseDuration
+    stroke: PhaseDuration
+    hold: PhaseDuration
+    retraction: PhaseDuration
     alignment: float = 1.0
     emphasis: float = EMPHASIS_OF_STROKE
 
@@ -115,10 +115,10 @@ class TimingEntry(Entry):
 
     def timing(self) -> Timing:
         return Timing(
-            preparation=Phase(*self.preparation),
-            stroke=Phase(*(self.stroke or (0.0, 0.0))),
-            hold=Phase(*self.hold),
-            retraction=Phase(*self.retraction),
+            preparation=PhaseDuration(*self.preparation),
+            stroke=PhaseDuration(*(self.stroke or (0.0, 0.0))),
+            hold=PhaseDuration(*self.hold),
+            retraction=PhaseDuration(*self.retraction),
             alignment=1.0 if self.alignment is None else self.alignment,
         )
 

@@ -14,7 +14,7 @@ from math import floor
 from ...model import Behavior, Channel, Hand, Interval, Movement, Phone, SyncPoints, Word
 from ...model.limits.gesture_limits import LATEST_S, Forms
 from ..idle.idle_behaviors import IdleBehavior
-from ..table.behavior_table import STROKED, Anchor, BehaviorEntry, BriefGesture, Phase
+from ..table.behavior_table import STROKED, Anchor, BehaviorEntry, BriefGesture, PhaseDuration
 from .phases import Placing, Window, placed, soonest, underway
 
 
@@ -56,7 +56,7 @@ def asked(
     """
     brief = entry.brief if may_be_brief else None
     if brief:
-        entry = replace(entry, timing=replace(entry.timing, hold=Phase(0.0, entry.timing.hold.usual_s)))
+        entry = replace(entry, timing=replace(entry.timing, hold=PhaseDuration(0.0, entry.timing.hold.usual_s)))
     begin, past = words_before(timed, movement.first), words_before(timed, movement.last + 1)
     words = timed[begin:past]
     if words:

@@ -19,7 +19,7 @@ from dataclasses import dataclass, replace
 from ...model import Behavior, Channel, Hand
 from ...model.limits.gesture_limits import TransitionTimes, transition_times
 from ...model.tables.lexemes import GLANCE, LIDS_AND_CHEEKS, LOOK, LOWER_FACE
-from ..table.behavior_table import Phase
+from ..table.behavior_table import PhaseDuration
 from .anchoring import PlacedBehavior
 from .phases import Window, placed
 from .time_index import KeptByTime
@@ -136,7 +136,7 @@ def _with_way(candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior]) -> P
     if not shortest_s:
         return candidate
     usual = placing.timing.preparation
-    preparation = Phase(shortest_s, max(usual.usual_s, shortest_s))
+    preparation = PhaseDuration(shortest_s, max(usual.usual_s, shortest_s))
     return replace(candidate, placing=replace(placing, timing=replace(placing.timing, preparation=preparation)))
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from math import inf
 
 from ...model import Behavior, Channel, SyncPoints, Utterance
-from ..table.behavior_table import Phase, Timing
+from ..table.behavior_table import PhaseDuration, Timing
 
 _SLACK_S = 1e-6
 """Tolerance for rounding."""
@@ -49,7 +49,7 @@ def placed(placing: Placing, window: Window) -> SyncPoints | None:
     stroke_start_s = at_s - timing.alignment * stroke_s
     stroke_end_s = stroke_start_s + stroke_s
     hold_s = min(max(placing.until_s - stroke_end_s, timing.hold.shortest_s), timing.hold.usual_s)
-    after = _taken(window.to_s - stroke_end_s, timing.retraction, Phase(timing.hold.shortest_s, hold_s))
+    after = _taken(window.to_s - stroke_end_s, timing.retraction, PhaseDuration(timing.hold.shortest_s, hold_s))
     if after is None:
         return None
     retraction_s, hold_s = after
@@ -70,7 +70,7 @@ def placed(placing: Placing, window: Window) -> SyncPoints | None:
 def underway(placing: Placing) -> Placing:
     """The placing for a gesture whose word comes too soon to prepare for it: its hand is raised already when the
     performance begins. If there is no time for the stroke either, it ends as soon after the vowel as it can."""
-    raised = replace(placing.timing, preparation=Phase(0.0, 0.0))
+    raised = replace(placing.timing, preparation=PhaseDuration(0.0, 0.0))
     return replace(placing, timing=raised, at_s=max(placing.at_s, raised.alignment * raised.stroke.shortest_s))
 
 
@@ -81,7 +81,7 @@ def soonest(placing: Placing) -> Placing:
     return replace(placing, at_s=max(placing.at_s, earliest_s))
 
 
-def _taken(room_s: float, outer: Phase, inner: Phase, part: float = 1.0) -> tuple[float, float] | None:
+def _taken(room_s: float, outer: PhaseDuration, inner: PhaseDuration, part: float = 1.0) -> tuple[float, float] | None:
     """The durations of `outer` and `inner` if `outer` and `part` of `inner` share `room_s`; the outer is shortened
     first."""
     outer_s = min(outer.usual_s, room_s - part * inner.usual_s)

@@ -27,7 +27,7 @@ Value = str | int | float | Reference
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class TagPosition:
     """The position of a start tag in a file; both count from 1."""
 
     line: int
@@ -41,7 +41,7 @@ class Element:
     name: str
     attributes: Mapping[str, Value] = field(default_factory=dict)
     content: tuple["Element | str", ...] = ()
-    place: Place | None = field(default=None, compare=False, repr=False)
+    place: TagPosition | None = field(default=None, compare=False, repr=False)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "attributes", MappingProxyType(dict(self.attributes)))

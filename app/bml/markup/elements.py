@@ -28,7 +28,7 @@ RECORD_TYPE = "application/vnd.understudy.performance+xml"
 (`understudy.bml.writing.blocks`). Other realizers skip a description whose type they do not know."""
 
 
-class Kind(StrEnum):
+class ValueKind(StrEnum):
     """The type of an attribute's value."""
 
     TEXT = "a text"
@@ -47,7 +47,7 @@ class Attribute:
     """The type of an attribute; `one_of` lists its permitted values (all, if empty); `beyond` matches those of known
     extensions."""
 
-    kind: Kind = Kind.TEXT
+    kind: ValueKind = ValueKind.TEXT
     required: bool = False
     one_of: frozenset[str] = frozenset()
     beyond: re.Pattern[str] | None = None
@@ -117,15 +117,15 @@ def _one_of(values: str, *, required: bool = False, beyond: str | None = None) -
     return Attribute(one_of=frozenset(values.split()), required=required, beyond=re.compile(beyond) if beyond else None)
 
 
-_ID = Attribute(Kind.ID, required=True)
-_OWN_ID = Attribute(Kind.ID)
+_ID = Attribute(ValueKind.ID, required=True)
+_OWN_ID = Attribute(ValueKind.ID)
 _TEXT = Attribute()
 _NEEDED = Attribute(required=True)
-_TIME = Attribute(Kind.TIME)
-_SHARE = Attribute(Kind.SHARE)
-_NUMBER = Attribute(Kind.NUMBER)
-_COUNT = Attribute(Kind.COUNT)
-_REFERENCE = Attribute(Kind.TIME, required=True)
+_TIME = Attribute(ValueKind.TIME)
+_SHARE = Attribute(ValueKind.SHARE)
+_NUMBER = Attribute(ValueKind.NUMBER)
+_COUNT = Attribute(ValueKind.COUNT)
+_REFERENCE = Attribute(ValueKind.TIME, required=True)
 
 _HANDS = _one_of("LEFT_HAND RIGHT_HAND BOTH_HANDS")
 _GAZE = {
@@ -140,7 +140,7 @@ _RECORD = _kind(
     {
         "agitation": _one_of("low medium high"),
         "stillness": _SHARE,
-        "seed": Attribute(Kind.WHOLE),
+        "seed": Attribute(ValueKind.WHOLE),
         "duration": _NUMBER,
     },
     parts=[
@@ -149,7 +149,7 @@ _RECORD = _kind(
             {
                 **dict.fromkeys(("start", "end", "emphasis", "focus", "prominence", "stressedRatio"), _NUMBER),
                 "spread": _one_of("true"),
-                "phones": Attribute(Kind.PHONES),
+                "phones": Attribute(ValueKind.PHONES),
             },
             namespace=OURS,
         ),
@@ -161,10 +161,10 @@ _RECORD = _kind(
                 "amount": _SHARE,
                 "first": _COUNT,
                 "last": _COUNT,
-                "phases": Attribute(Kind.DURATIONS),
-                "afterStrokes": Attribute(Kind.DURATIONS),
+                "phases": Attribute(ValueKind.DURATIONS),
+                "afterStrokes": Attribute(ValueKind.DURATIONS),
                 "path": _one_of("curved"),
-                "manner": Attribute(Kind.DURATIONS),
+                "manner": Attribute(ValueKind.DURATIONS),
                 **dict.fromkeys(("target", "rule", "function", "moment", "reason", "slots"), _TEXT),
             },
             namespace=OURS,
@@ -175,7 +175,7 @@ _RECORD = _kind(
 )
 _DESCRIPTION = _kind(
     "description",
-    {"priority": Attribute(Kind.COUNT, required=True), "type": _NEEDED},
+    {"priority": Attribute(ValueKind.COUNT, required=True), "type": _NEEDED},
     parts=[_RECORD],
     free=True,
 )
@@ -195,7 +195,7 @@ _BEHAVIORS = (
     _kind("faceLexeme", _any(lexeme=_NEEDED, amount=_SHARE), syncs=FACIAL, parts=[_DESCRIPTION]),
     _kind(
         "faceFacs",
-        _any(au=Attribute(Kind.COUNT, required=True), side=_one_of("LEFT RIGHT BOTH"), amount=_SHARE),
+        _any(au=Attribute(ValueKind.COUNT, required=True), side=_one_of("LEFT RIGHT BOTH"), amount=_SHARE),
         syncs=FACIAL,
         namespace=CORE_EXTENSIONS,
     ),

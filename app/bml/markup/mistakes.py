@@ -10,18 +10,18 @@ from itertools import pairwise
 from operator import itemgetter
 
 from ...errors import nearest_names
-from .documents import Element, Place, Reference, Value
+from .documents import Element, Reference, TagPosition, Value
 from .elements import CORE, Dialect, ElementKind
 from .values import value_of
 
-Found = Iterator[tuple[Place, str]]
+Found = Iterator[tuple[TagPosition, str]]
 """The place and description of each mistake."""
 
 _LONGEST_SHOWN = 40
 _MOST_COMPARED = 200
 """A name is compared with at most this many others to suggest one, to limit time on large files."""
 
-_NOWHERE = Place(1, 1)
+_NOWHERE = TagPosition(1, 1)
 
 _HINTS: Mapping[str, str] = {
     "face": "it is abstract; write faceLexeme, or faceFacs of the core extensions",

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from xml.parsers import expat
 
-from .documents import Element, Place
+from .documents import Element, TagPosition
 from .elements import BMLA, BMLT, SBM
 
 _SEPARATOR = "}"
@@ -36,7 +36,7 @@ class ReadingLimits:
 class NotXmlError(Exception):
     """The bytes are not acceptable XML; caught by the reader, which knows the file's name."""
 
-    def __init__(self, message: str, place: Place) -> None:
+    def __init__(self, message: str, place: TagPosition) -> None:
         super().__init__(message)
         self.message = message
         self.place = place
@@ -61,7 +61,7 @@ class _Open:
     name: str
     attributes: dict[str, str]
     content: list[Element | str]
-    place: Place
+    place: TagPosition
 
 
 class _Builder:
@@ -70,7 +70,7 @@ class _Builder:
     def __init__(self, max_depth: int, *, lines_before: int = 0) -> None:
         self._max_depth = max_depth
         self._lines_before = lines_before
-        self._open = [_Open("", {}, [], Place(1, 1))]
+        self._open = [_Open("", {}, [], TagPosition(1, 1))]
         self._parser = expat.ParserCreate(namespace_separator=_SEPARATOR)
         self._parser.buffer_text = True
         self._parser.StartDoctypeDeclHandler = self._refuse_doctype
@@ -82,7 +82,7 @@ class _Builder:
         try:
             self._parser.Parse(text, True)
         except expat.ExpatError as error:
-            place = Place(error.lineno - self._lines_before, error.offset + 1)
+            place = TagPosition(error.lineno - self._lines_before, error.offset + 1)
             if error.code == _UNBOUND_PREFIX:
                 raise _UnboundPrefixError("not well-formed XML: a prefix is not declared", place) from None
             raise NotXmlError(f"not well-formed XML: {expat.ErrorString(error.code)}", place) from None
@@ -90,8 +90,8 @@ class _Builder:
         assert isinstance(root, Element)
         return root
 
-    def _place(self) -> Place:
-        return Place(self._parser.CurrentLineNumber - self._lines_before, self._parser.CurrentColumnNumber + 1)
+    def _place(self) -> TagPosition:
+        return TagPosition(self._parser.CurrentLineNumber - self._lines_before, self._parser.CurrentColumnNumber + 1)
 
     def _refuse_doctype(self, *_declaration: object) -> None:
         raise NotXmlError("BML has no DOCTYPE; leave it out", self._place())
@@ -118,7 +118,7 @@ def parse(content: bytes, limits: ReadingLimits) -> Parsed:
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
         column = error.start - content.rfind(b"\n", 0, error.start)
-        raise NotXmlError("not UTF-8; write BML in UTF-8", Place(line, column)) from None
+        raise NotXmlError("not UTF-8; write BML in UTF-8", TagPosition(line, column)) from None
     try:
         return Parsed(_Builder(limits.max_depth).build(text))
     except _UnboundPrefixError as error:
@@ -130,7 +130,7 @@ def parse(content: bytes, limits: ReadingLimits) -> Parsed:
         raise _with_remedy(error, text) from None
 
 
-def _prefix_at(text: str, place: Place) -> str | None:
+def _prefix_at(text: str, place: TagPosition) -> str | None:
     """The first prefix in the tag at a place that is not declared, as far as one can see; what is bound comes last."""
     lines = re.split(r"\r\n?|\n", text)[place.line - 1 :]
     tag = "\n".join([lines[0][place.column - 1 :], *lines[1:]]).partition(">")[0]
@@ -154,7 +154,7 @@ def _with_bound_prefix(text: str, limits: ReadingLimits) -> Element:
     file = _Builder(limits.max_depth + 1, lines_before=1).build(around)
     roots = list(file.children)
     if len(roots) != 1:
-        raise NotXmlError("not well-formed XML: one outermost element", file.place or Place(1, 1))
+        raise NotXmlError("not well-formed XML: one outermost element", file.place or TagPosition(1, 1))
     return roots[0]
 
 

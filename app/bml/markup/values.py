@@ -11,22 +11,22 @@ from functools import lru_cache
 from math import isfinite
 
 from .documents import Reference, Value
-from .elements import Attribute, Kind
+from .elements import Attribute, ValueKind
 
 PLACES = 3
 
 _NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)", re.ASCII)
 _DECIMAL = r"\d+(?:\.\d*)?"
 _PHONE = rf"[A-Z]+\d? {_DECIMAL} {_DECIMAL}"
-_TEXTS: Mapping[Kind, re.Pattern[str]] = {
-    Kind.TEXT: re.compile(".*"),
-    Kind.ID: re.compile(r"[A-Za-z][A-Za-z0-9_.]*"),
-    Kind.PHONES: re.compile(rf"{_PHONE}(?: {_PHONE})*", re.ASCII),
-    Kind.DURATIONS: re.compile(rf"{_DECIMAL}(?: {_DECIMAL})*", re.ASCII),
+_TEXTS: Mapping[ValueKind, re.Pattern[str]] = {
+    ValueKind.TEXT: re.compile(".*"),
+    ValueKind.ID: re.compile(r"[A-Za-z][A-Za-z0-9_.]*"),
+    ValueKind.PHONES: re.compile(rf"{_PHONE}(?: {_PHONE})*", re.ASCII),
+    ValueKind.DURATIONS: re.compile(rf"{_DECIMAL}(?: {_DECIMAL})*", re.ASCII),
 }
-_WHOLES: Mapping[Kind, re.Pattern[str]] = {
-    Kind.COUNT: re.compile(r"\d{1,9}", re.ASCII),
-    Kind.WHOLE: re.compile(r"-?\d{1,19}", re.ASCII),
+_WHOLES: Mapping[ValueKind, re.Pattern[str]] = {
+    ValueKind.COUNT: re.compile(r"\d{1,9}", re.ASCII),
+    ValueKind.WHOLE: re.compile(r"-?\d{1,19}", re.ASCII),
 }
 _REFERENCE = re.compile(
     r"(?:(?P<block>[A-Za-z_][\w.-]*):)?(?P<behavior>[A-Za-z_][\w.-]*):(?P<point>[A-Za-z_][\w.-]*?)"
@@ -65,17 +65,17 @@ def text_of(value: Value) -> str:
     return str(value)
 
 
-def _value(text: str, kind: Kind) -> Value:
+def _value(text: str, kind: ValueKind) -> Value:
     match kind:
-        case Kind.TEXT | Kind.ID | Kind.PHONES | Kind.DURATIONS:
+        case ValueKind.TEXT | ValueKind.ID | ValueKind.PHONES | ValueKind.DURATIONS:
             return _matching(_TEXTS[kind], text)
-        case Kind.COUNT | Kind.WHOLE:
+        case ValueKind.COUNT | ValueKind.WHOLE:
             return int(_matching(_WHOLES[kind], text))
-        case Kind.NUMBER:
+        case ValueKind.NUMBER:
             return _number(text)
-        case Kind.SHARE:
+        case ValueKind.SHARE:
             return _share(_number(text))
-        case Kind.TIME:
+        case ValueKind.TIME:
             return _number(text) if _NUMBER.fullmatch(text) else _reference(text)
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from ...errors import Mistake, TooLargeError, WrongBmlError
 from ...model import Notice
-from ..markup.documents import Document, Element, Place, Value
+from ..markup.documents import Document, Element, TagPosition, Value
 from ..markup.elements import DIALECTS, OURS, SBM, Dialect, ElementKind
 from ..markup.mistakes import is_foreign, kind_of, local_name, mistakes_of, typed_attributes
 from ..markup.parsing import NotXmlError, Parsed, ReadingLimits, parse
@@ -44,7 +44,7 @@ def read_bml(
     found = _dialect_of(root)
     if found is None:
         message = f"the outermost element is <{root.name[:100]}>; write <bml> of BML 1.0, or SmartBody's <act>"
-        raise _wrong_bml(content, path, [(root.place or Place(1, 1), message)])
+        raise _wrong_bml(content, path, [(root.place or TagPosition(1, 1), message)])
     dialect, kind = found
     root, moves = with_following_points(root, kind)
     mistakes = list(islice(mistakes_of(root, kind, dialect), MOST_MISTAKES))
@@ -117,8 +117,8 @@ def _foreign(root: Element, kind: ElementKind, dialect: Dialect) -> tuple[Notice
     )
 
 
-def _foreign_names(element: Element, kind: ElementKind, dialect: Dialect) -> Iterator[tuple[str, Place]]:
-    place = element.place or Place(1, 1)
+def _foreign_names(element: Element, kind: ElementKind, dialect: Dialect) -> Iterator[tuple[str, TagPosition]]:
+    place = element.place or TagPosition(1, 1)
     for name in element.attributes:
         if name not in kind.attributes and is_foreign(name, dialect):
             yield f"the attribute {name}", place
@@ -135,7 +135,7 @@ def _foreign_names(element: Element, kind: ElementKind, dialect: Dialect) -> Ite
             yield f"<{part.name}>", part.place or place
 
 
-def _wrong_bml(content: bytes, path: Path, found: list[tuple[Place, str]]) -> WrongBmlError:
+def _wrong_bml(content: bytes, path: Path, found: list[tuple[TagPosition, str]]) -> WrongBmlError:
     lines = _XML_LINE_END.split(content.decode(errors="replace"))
     mistakes = tuple(
         Mistake(path, place.line, place.column, message, lines[place.line - 1].replace("\t", " "))

@@ -12,7 +12,7 @@ from ...model.formats.bml_form import DialectName, TimeForm
 from ...model.tables.mouth_shapes import SILENCE
 from ..markup.documents import Document, Element, Value
 from ..markup.speech import SPEECH, to_milli
-from .smartbody_tables import MouthShape
+from .smartbody_tables import SmartBodyMouthShape
 
 UNSAFE = "&<>"
 """The characters on which SmartBody's second reading of the speech fails."""
@@ -43,7 +43,7 @@ def speech_element(performance: Performance, timing: TimeForm, ref: str | None) 
     return Element("speech", {**named, **begun}, (Element("text", content=marked),))
 
 
-def speech_file(performance: Performance, shapes: Mapping[str, MouthShape]) -> Document:
+def speech_file(performance: Performance, shapes: Mapping[str, SmartBodyMouthShape]) -> Document:
     """The file beside the recording, in seconds of the recording. If the mouth never moves, a closed one is written,
     because SmartBody requires a viseme."""
     lead_in_s = performance.utterance.lead_in_s
@@ -67,7 +67,7 @@ def _marked(words: tuple[Word, ...], start_s: float, timing: TimeForm) -> Iterat
         yield Element(kind, {naming: f"T{2 * word.index + 1}", "time": end_s})
 
 
-def _lips(viseme: Viseme, shape: MouthShape, lead_in_s: float) -> Element:
+def _lips(viseme: Viseme, shape: SmartBodyMouthShape, lead_in_s: float) -> Element:
     """A viseme rises over its first quarter and decays over its last."""
     start_s, end_s = viseme.interval.start_s - lead_in_s, viseme.interval.end_s - lead_in_s
     quarter_s = viseme.interval.duration_s / 4
@@ -76,6 +76,6 @@ def _lips(viseme: Viseme, shape: MouthShape, lead_in_s: float) -> Element:
     return Element("lips", {"viseme": shape.name, "articulation": to_milli(viseme.articulation * shape.share), **times})
 
 
-def _shut(shape: MouthShape) -> Element:
+def _shut(shape: SmartBodyMouthShape) -> Element:
     times = {"start": 0.0, "ready": 0.0, "relax": 0.1, "end": 0.1}
     return Element("lips", {"viseme": shape.name, "articulation": 0.0, **times})

@@ -24,7 +24,7 @@ from ...yaml_files import Entry, Source
 FILE = "smartbody.yaml"
 
 
-class MouthShape(Entry):
+class SmartBodyMouthShape(Entry):
     """A mouth shape of the face, and the share of it that corresponds to ours."""
 
     name: Annotated[str, Field(min_length=1)]
@@ -47,7 +47,7 @@ class SmartBodyFile(Entry):
     gesture_map: dict[str, Annotated[dict[Hand, Styles], Field(min_length=1)]]
     lexemes: dict[str, str]
     action_units: dict[int, UnitShown]
-    visemes: dict[VisemeNames, dict[str, MouthShape]]
+    visemes: dict[VisemeNames, dict[str, SmartBodyMouthShape]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +67,7 @@ class SmartBodyTables:
     gesture_map: Mapping[str, Mapping[Hand, frozenset[str]]]
     types: Mapping[str, str]
     units_shown: Mapping[int, UnitShown]
-    visemes: Mapping[VisemeNames, Mapping[str, MouthShape]]
+    visemes: Mapping[VisemeNames, Mapping[str, SmartBodyMouthShape]]
 
     @classmethod
     def load(cls, path: Path) -> "SmartBodyTables":

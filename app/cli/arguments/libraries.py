@@ -3,7 +3,7 @@
 
 from ...model import Hand, Level
 from ...option_table import PERFORMANCE
-from ..distinct_files import InputFile, OutputFile
+from ..distinct_files import InputFile, OutputName
 from ..files import STANDARD
 from .command import Adding, actions_of
 from .options import add_options, add_output
@@ -99,5 +99,5 @@ def add_motion_models(add: Adding) -> None:
     told = "one of S1 … S6 or RTS (default: all); repeatable"
     score.add_argument("--scenario", metavar="S1…S6", action="append", default=[], help=told)
     score.add_argument("--search", action="store_true", help="speed and similarity of RTS' searches too")
-    score.add_argument("--plot", metavar="FILE", type=OutputFile, help="draw it beside the papers' figures, as PNG")
+    score.add_argument("--plot", metavar="FILE", type=OutputName, help="draw it beside the papers' figures, as PNG")
     add_output(score, "OUT.json", "also write the figures as JSON", default="")

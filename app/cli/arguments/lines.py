@@ -3,7 +3,7 @@
 import argparse
 
 from ...option_table import MOTION, PERFORMANCE
-from ..distinct_files import InputFile, OutputFile
+from ..distinct_files import InputFile, OutputName
 from ..files import STANDARD
 from .command import Adding
 from .options import (
@@ -55,12 +55,12 @@ def _add_performance(parser: argparse.ArgumentParser) -> None:
     add_options(parser, PERFORMANCE, "listener")
     add_form(parser)
     parser.add_argument(
-        "--trace", metavar="FILE", type=OutputFile, help="write the whole performance as JSON: every reason"
+        "--trace", metavar="FILE", type=OutputName, help="write the whole performance as JSON: every reason"
     )
     parser.add_argument(
         "--realize",
         metavar="FILE",
-        type=OutputFile,
+        type=OutputName,
         action="append",
         default=[],
         help=f"the motion itself: {MOTION_HELP}; repeatable",
@@ -92,7 +92,7 @@ def add_realize(add: Adding) -> None:
         "-o",
         "--output",
         metavar="OUT",
-        type=OutputFile,
+        type=OutputName,
         action="append",
         required=True,
         help=f"{MOTION_HELP}; repeatable",
@@ -140,7 +140,7 @@ def add_analyses(add: Adding) -> None:
     add_agitation_model(analyze)
     add_options(analyze, PERFORMANCE, "agitation", "affect")
     add_reference(analyze)
-    analyze.add_argument("--plot", metavar="FILE", type=OutputFile, help="draw it too, as PNG (needs the extra `plot`)")
+    analyze.add_argument("--plot", metavar="FILE", type=OutputName, help="draw it too, as PNG (needs the extra `plot`)")
     align = add("align", "the times of words and phones")
     add_line(align)
     align.add_argument("--format", choices=("json", "textgrid", "ctm"), default="json")

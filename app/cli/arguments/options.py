@@ -8,7 +8,7 @@ from enum import Enum
 from typing import Any
 
 from ...option_table import MOTION, PERFORMANCE, Option
-from ..distinct_files import InputFile, OutputFile
+from ..distinct_files import InputFile, OutputName
 
 MANNER = ("character", "agitation", "affect", "seed", "choice", "profile", "mode", "lead_in_s", "stillness", "targets")
 FORM = ("timing", "dialect", "visemes", "bmlt_audio")
@@ -119,4 +119,4 @@ def add_functions(parser: argparse.ArgumentParser) -> None:
 def add_output(parser: argparse.ArgumentParser, metavar: str, told: str, *, default: str | None = None) -> None:
     """Adds the option for the output file, which is required if there is no default."""
     needed = default is None
-    parser.add_argument("-o", "--output", metavar=metavar, type=OutputFile, required=needed, default=default, help=told)
+    parser.add_argument("-o", "--output", metavar=metavar, type=OutputName, required=needed, default=default, help=told)

@@ -12,7 +12,7 @@ from ...errors import InputError
 from ...option_table import PERFORMANCE
 from ...study.comparison import Comparison
 from ...version import __version__
-from ..distinct_files import InputFile, OutputFile
+from ..distinct_files import InputFile, OutputName
 from .batch import SCRIPTS_HELP, add_batch
 from .command import Adding, actions_of, commands_of, voices
 from .libraries import add_characters, add_gestures, add_motion_models, add_profiles, add_rules
@@ -119,7 +119,7 @@ def add_study(add: Adding) -> None:
         type=InputFile,
         help="what each clip shows, from study make (default: key.csv beside the answers or one folder up)",
     )
-    score.add_argument("-o", "--output", metavar="REPORT", type=OutputFile, help="also write the report: .json or .md")
+    score.add_argument("-o", "--output", metavar="REPORT", type=OutputName, help="also write the report: .json or .md")
 
 
 def _add_make(make: argparse.ArgumentParser) -> None:

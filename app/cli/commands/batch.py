@@ -6,9 +6,9 @@ from pathlib import Path
 
 from ...batch.batch import entries_before, run_batch
 from ...batch.layout import OURS, USUAL, Layout
-from ...batch.manifest.entries import Entry, State
-from ...batch.matching.joining import Choice
-from ...batch.matching.recordings import Pattern
+from ...batch.manifest.entries import ManifestEntry, State
+from ...batch.matching.joining import TakeChoice
+from ...batch.matching.recordings import RecordingPattern
 from ...batch.planning import plan_batch
 from ...batch.reports.dry_run import dry_run
 from ...batch.request import BatchRequest
@@ -20,7 +20,7 @@ from ...errors import InputError
 from ...library.checks import check_character
 from ...library.motion_checks import check_skeleton
 from ...settings import Settings, read_settings
-from ..distinct_files import OutputFile, require_distinct
+from ..distinct_files import OutputName, require_distinct
 from ..files import write_standard
 from ..inputs.options import performance_options
 from ..log import Log
@@ -33,7 +33,7 @@ SOME_FAILED = 1
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
     settings = read_settings()
-    require_distinct(arguments, [OutputFile(Path(arguments.out) / name) for name in sorted(OURS)])
+    require_distinct(arguments, [OutputName(Path(arguments.out) / name) for name in sorted(OURS)])
     request = _request(arguments, settings)
     check_character(request.options.character)
     check_skeleton(request.motion.skeleton)
@@ -69,8 +69,8 @@ def _request(arguments: argparse.Namespace, settings: Settings) -> BatchRequest:
         layout=Layout(arguments.layout or USUAL),
         columns=read_named(arguments.column),
         sheets=tuple(arguments.sheet),
-        pattern=Pattern.of(arguments.pattern) if arguments.pattern else None,
-        choice=Choice(arguments.take),
+        pattern=RecordingPattern.of(arguments.pattern) if arguments.pattern else None,
+        choice=TakeChoice(arguments.take),
         options=performance_options(arguments),
         motion=MotionForm(arguments.fps, arguments.skeleton, physics_asked(arguments, settings)),
         cast=Path(arguments.cast) if arguments.cast else None,
@@ -104,7 +104,7 @@ def _engine(arguments: argparse.Namespace, workers: int, settings: Settings) -> 
     return LocalEngine(workers, settings)
 
 
-def _told(entries: tuple[Entry, ...], out: Path, log: Log) -> int:
+def _told(entries: tuple[ManifestEntry, ...], out: Path, log: Log) -> int:
     failed = [entry for entry in entries if entry.state is State.FAILED]
     done = len(entries) - len(failed)
     log.note(f"{done} lines done, {len(failed)} failed; {out / 'report.csv'} tells of each")

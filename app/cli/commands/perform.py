@@ -17,7 +17,7 @@ from ...model.formats.motion_formats import is_editorial
 from ...options import Options
 from ...schemas.options import listener_names
 from ...settings import Settings, read_settings
-from ..distinct_files import OutputFile, require_distinct
+from ..distinct_files import OutputName, require_distinct
 from ..files import STANDARD, require_writable, write
 from ..inputs.hearing import require_reference, speaker_reference
 from ..inputs.lines import edits_of, read_line
@@ -99,20 +99,20 @@ def _write(performance: Performance, form: BmlForm, arguments: argparse.Namespac
         write(_beside(arguments.output, name), content)
 
 
-def _speech_file_names(arguments: argparse.Namespace) -> list[OutputFile]:
+def _speech_file_names(arguments: argparse.Namespace) -> list[OutputName]:
     name = speech_file_name(bml_form(arguments))
     return [] if name is None or arguments.output == STANDARD else [_beside_act(arguments.output, name)]
 
 
-def _beside_act(output: str, name: str) -> OutputFile:
+def _beside_act(output: str, name: str) -> OutputName:
     """SmartBody's file for the folder of the recording, written to the folder of the act."""
-    return OutputFile(PurePath(output).with_name(name))
+    return OutputName(PurePath(output).with_name(name))
 
 
-def _beside(output: str, name: str) -> OutputFile:
+def _beside(output: str, name: str) -> OutputName:
     """OUT.NAME.bml for OUT.bml, OUT.NAME.xml for OUT.xml, and OUT.NAME.bml for any other OUT."""
     ending = ".xml" if PurePath(output).suffix.lower() == ".xml" else ".bml"
-    return OutputFile(PurePath(output).with_suffix(f".{name}{ending}"))
+    return OutputName(PurePath(output).with_suffix(f".{name}{ending}"))
 
 
 def _check_targets(arguments: argparse.Namespace, settings: Settings) -> None:

@@ -13,7 +13,7 @@ from ...options import Options
 from ...profiles.profile import Profile
 from ...settings import read_settings
 from ...study.comparison import KEY_NAME, Comparison
-from ...study.request import PAGE_FOLDER, Source, StudyRequest
+from ...study.request import PAGE_FOLDER, StudyRequest, StudySource
 from ..files import require_writable, write, write_standard
 from ..inputs.options import optional_profile
 from ..log import Log
@@ -32,7 +32,7 @@ def _make(arguments: argparse.Namespace, log: Log) -> None:
     comparison = Comparison(arguments.compare)
     options = Options(character=arguments.character, seed=arguments.seed, profile=_profile(arguments, comparison))
     check_character(options.character)
-    source = Source(Path(arguments.lines), arguments.audio and Path(arguments.audio), Path(arguments.out))
+    source = StudySource(Path(arguments.lines), arguments.audio and Path(arguments.audio), Path(arguments.out))
     request = StudyRequest(source, comparison, options)
     from ...models import Understudy  # imported late: arguments are checked before the models load
     from ...study.making.making import make_study

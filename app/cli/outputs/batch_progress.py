@@ -8,9 +8,9 @@ from typing import Any, Self
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn, TimeRemainingColumn
 
-from ...batch.manifest.entries import Entry, State
-from ...batch.planning import Plan, without_audio
-from ..log import Log, Voice
+from ...batch.manifest.entries import ManifestEntry, State
+from ...batch.planning import BatchPlan, without_audio
+from ..log import Audience, Log
 
 EVERY_S = 10.0
 """The time between two lines of progress without a terminal."""
@@ -29,7 +29,7 @@ class BatchProgress:
         self._began_s = self._told_s = time.monotonic()
         self._performed = 0
 
-    def planned(self, plan: Plan) -> None:
+    def planned(self, plan: BatchPlan) -> None:
         problems = [f"{plan.script.path}, {problem}" for problem in plan.script.problems]
         problems += [
             f"{plan.script.path}, {without_audio(missing, plan.script.unit)}" for missing in plan.joined.missing
@@ -49,7 +49,7 @@ class BatchProgress:
         self._began_s = self._told_s = time.monotonic()
         self._log.event("batch", {"lines": entries, "done": done}, f"{entries} lines, {done} of them done already")
 
-    def ended(self, entry: Entry) -> None:
+    def ended(self, entry: ManifestEntry) -> None:
         self._done += 1
         self._performed += 1
         self._failed += entry.state is State.FAILED
@@ -123,4 +123,4 @@ class BatchBar(BatchProgress):
 
 def progress_for(log: Log) -> BatchProgress:
     """A bar for people at a terminal, else lines."""
-    return BatchBar(log) if log.voice is Voice.PEOPLE and sys.stderr.isatty() else BatchProgress(log)
+    return BatchBar(log) if log.voice is Audience.PEOPLE and sys.stderr.isatty() else BatchProgress(log)

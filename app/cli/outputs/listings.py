@@ -6,17 +6,22 @@ Summarizes a gesture profile for people.
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from ...authoring.catalogue import Catalogue, Item, Kind
+from ...authoring.catalogue import Catalogue, Item, ItemKind
 from ...model import Hand
 from ...profiles.profile import Profile
 
 _MEANING = {
-    Kind.FUNCTION: "a rule that finds a function",
-    Kind.BEHAVIOR: "a rule that chooses movements for a function",
-    Kind.BML: "a movement of the behaviour table",
-    Kind.WORD: "a word or phrase of the lexicon",
+    ItemKind.FUNCTION: "a rule that finds a function",
+    ItemKind.BEHAVIOR: "a rule that chooses movements for a function",
+    ItemKind.BML: "a movement of the behaviour table",
+    ItemKind.WORD: "a word or phrase of the lexicon",
 }
-_PLURAL = {Kind.FUNCTION: "function rules", Kind.BEHAVIOR: "mapping rules", Kind.BML: "movements", Kind.WORD: "words"}
+_PLURAL = {
+    ItemKind.FUNCTION: "function rules",
+    ItemKind.BEHAVIOR: "mapping rules",
+    ItemKind.BML: "movements",
+    ItemKind.WORD: "words",
+}
 _WITHOUT_CLASS = "(no one class)"
 MOST_NAMED = 12
 
@@ -31,9 +36,9 @@ def counts(items: Sequence[Item]) -> Iterator[str]:
     tally = Counter((name, item.kind) for item in items for name in _classes(item))
     yield f"{'class':24s}" + "".join(f"{title:>16s}" for title in _PLURAL.values())
     for name in sorted({name for name, _ in tally}):
-        yield f"{name:24s}" + "".join(f"{tally[name, kind] or '':>16}" for kind in Kind)
+        yield f"{name:24s}" + "".join(f"{tally[name, kind] or '':>16}" for kind in ItemKind)
     total = Counter(item.kind for item in items)
-    yield f"{'all':24s}" + "".join(f"{total[kind]:16d}" for kind in Kind)
+    yield f"{'all':24s}" + "".join(f"{total[kind]:16d}" for kind in ItemKind)
     yield ""
     for file, count in Counter(item.file for item in items).items():
         yield f"{count:6d}  {file}"
@@ -57,7 +62,7 @@ def _classes(item: Item) -> Sequence[str]:
 
 def _related(relation: str, items: Iterable[Item]) -> Iterator[str]:
     """The related names by kind, cut after the first `MOST_NAMED`."""
-    for kind in Kind:
+    for kind in ItemKind:
         names = list(dict.fromkeys(item.name for item in items if item.kind is kind))
         more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
         if names:

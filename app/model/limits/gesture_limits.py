@@ -14,7 +14,7 @@ from itertools import product
 from math import dist, sqrt
 
 from ..body import Hand
-from ..figure import Manner
+from ..figure import GestureManner
 from ..voice.speech import Level
 
 USUAL_AMOUNT = 0.5
@@ -110,7 +110,7 @@ class GestureForm:
     stroke_speed_m_s: float
     arms: Mapping[Hand, ArmEnds]
 
-    def in_manner(self, manner: Manner) -> "GestureForm":
+    def in_manner(self, manner: GestureManner) -> "GestureForm":
         """The form as varied by a character's gesture space and pace."""
         return GestureForm(
             self.before_s / manner.pace,

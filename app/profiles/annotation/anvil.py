@@ -13,7 +13,7 @@ from lxml import etree
 
 from .file_text import number_of, xml_root
 from .mistakes import AnnotationError, AnnotationMistake
-from .tracks import LABELS, Span, Track, track_name, track_of
+from .tracks import LABELS, Track, TrackSpan, track_name, track_of
 
 _LABEL_NAMES = ("type", "lexeme", "token", "text", "tag", "name", "rest", "phase")
 """The attribute that is the label, where it is not called as `LABELS` says."""
@@ -44,7 +44,7 @@ class _Reading:
 
     def __init__(self, path: Path) -> None:
         self._path = path
-        self._spans: dict[str, dict[int, Span]] = {}
+        self._spans: dict[str, dict[int, TrackSpan]] = {}
         self._links: dict[tuple[str, int], Mapping[str, _Link]] = {}
         self._timeless: set[tuple[str, str]] = set()
         self.mistakes: list[AnnotationMistake] = []
@@ -67,7 +67,7 @@ class _Reading:
             said = {each.get("name", "").strip().lower(): _value(each) for each in element.iter("attribute")}
             attributes = {key: value for key, value in said.items() if isinstance(value, str)}
             self._links[name, number] = {key: value for key, value in said.items() if isinstance(value, _Link)}
-            spans[number] = Span(*times, _label(track_name(name), attributes), attributes)
+            spans[number] = TrackSpan(*times, _label(track_name(name), attributes), attributes)
 
     def tracks(self) -> Iterator[Track]:
         """What was read, every link as the numbers of what it names."""
@@ -75,7 +75,7 @@ class _Reading:
         for name, spans in self._spans.items():
             yield track_of(name, [self._linked(name, number, span, numbers) for number, span in spans.items()])
 
-    def _linked(self, name: str, number: int, span: Span, numbers: Mapping[str, Mapping[int, int]]) -> Span:
+    def _linked(self, name: str, number: int, span: TrackSpan, numbers: Mapping[str, Mapping[int, int]]) -> TrackSpan:
         found = {}
         for attribute, link in self._links[name, number].items():
             known = numbers.get(link.track, {})
@@ -94,7 +94,7 @@ class _Reading:
         self.mistakes.append(AnnotationMistake(self._path, f"{where}{message}", track))
 
 
-def _times(element: etree._Element, kind: str, referred: Mapping[int, Span]) -> tuple[float, float] | None:
+def _times(element: etree._Element, kind: str, referred: Mapping[int, TrackSpan]) -> tuple[float, float] | None:
     start, end = number_of(element, "start"), number_of(element, "end")
     if kind == "singleton":
         start = end = number_of(element, "ref")
@@ -115,7 +115,7 @@ def _value(attribute: etree._Element) -> str | _Link:
     return _Link(links[0].get("ref-track", ""), first, last)
 
 
-def _numbers(spans: Mapping[int, Span]) -> Iterator[tuple[int, int]]:
+def _numbers(spans: Mapping[int, TrackSpan]) -> Iterator[tuple[int, int]]:
     """The numbers from 0, in order of time, of the elements that have a label, as words have them."""
     labelled = [number for number, span in sorted(spans.items(), key=lambda each: each[1].start_s) if span.label]
     yield from ((number, place) for place, number in enumerate(labelled))

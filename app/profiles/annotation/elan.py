@@ -12,7 +12,7 @@ from lxml import etree
 
 from .file_text import number_of, xml_root
 from .mistakes import AnnotationError, AnnotationMistake
-from .tracks import Span, Track, track_of
+from .tracks import Track, TrackSpan, track_of
 
 _UNITS = "milliseconds"
 _TYPE = "marked"
@@ -36,7 +36,7 @@ def read_elan(content: bytes, path: Path) -> tuple[Track, ...]:
                 told = f"annotation {annotation.get('ANNOTATION_ID')} refers to what has no time"
                 wrong.append(AnnotationMistake(path, told, name))
                 continue
-            spans.append(Span(*found, (annotation.findtext("ANNOTATION_VALUE") or "").strip()))
+            spans.append(TrackSpan(*found, (annotation.findtext("ANNOTATION_VALUE") or "").strip()))
         tracks.append(track_of(name, spans))
     if wrong:
         raise AnnotationError(wrong)
@@ -109,7 +109,7 @@ def write_elan(tracks: Sequence[Track], *, media: str = "") -> bytes:
     return bytes(etree.tostring(root, xml_declaration=True, encoding="UTF-8", pretty_print=True))
 
 
-def _write_span(tier: etree._Element, span: Span, name: str, slots: Mapping[int, str]) -> None:
+def _write_span(tier: etree._Element, span: TrackSpan, name: str, slots: Mapping[int, str]) -> None:
     annotation = etree.SubElement(
         etree.SubElement(tier, "ANNOTATION"),
         "ALIGNABLE_ANNOTATION",

@@ -9,7 +9,7 @@ from typing import TypeVar
 
 from ...model import Interval
 from .in_time import InTime
-from .model import Phase, PhaseKind, Phrase, Unit
+from .model import GesturePhrase, Phase, PhaseKind, Unit
 from .spans import (
     TOUCHING_S,
     Checking,
@@ -24,9 +24,9 @@ from .spans import (
     tag_of,
     unknown_attributes,
 )
-from .tracks import Span, Track
+from .tracks import Track, TrackSpan
 
-Marked = TypeVar("Marked", Phase, Phrase)
+Marked = TypeVar("Marked", Phase, GesturePhrase)
 
 
 def units_of(phases: Track, phrases: Track, units: Track, checking: Checking) -> tuple[Unit, ...]:
@@ -51,7 +51,7 @@ def _in_time(things: Iterable[Marked]) -> InTime[Marked]:
     return InTime.of(things, lambda thing: (thing.interval.start_s, thing.interval.end_s))
 
 
-def _within(parts: InTime[Marked], whole: Span) -> tuple[Marked, ...]:
+def _within(parts: InTime[Marked], whole: TrackSpan) -> tuple[Marked, ...]:
     return parts.within(whole.start_s - TOUCHING_S, whole.end_s + TOUCHING_S)
 
 
@@ -76,14 +76,14 @@ def _check_hands(phrases: Track, checking: Checking) -> None:
         checking.wrong("phrases", None, told)
 
 
-def _phrase(span: Span, phases: InTime[Phase], checking: Checking) -> Phrase | None:
+def _phrase(span: TrackSpan, phases: InTime[Phase], checking: Checking) -> GesturePhrase | None:
     own = _within(phases, span)
     message = _contradiction(own)
     if message:
         checking.wrong("phrases", span.start_s, f"{span.label}: {message}")
         return None
     unknown_attributes(span, checking)
-    return Phrase(
+    return GesturePhrase(
         interval=_interval(span),
         lexeme=lexeme_of(span, checking),
         hand=hand_of(span, checking),
@@ -109,7 +109,7 @@ def _contradiction(phases: Sequence[Phase]) -> str | None:
     return None
 
 
-def _unit(whole: Span, phrases: InTime[Phrase], retractions: InTime[Phase], checking: Checking) -> Unit:
+def _unit(whole: TrackSpan, phrases: InTime[GesturePhrase], retractions: InTime[Phase], checking: Checking) -> Unit:
     own = _within(phrases, whole)
     if not own:
         checking.wrong("units", whole.start_s, "no gesture lies in this unit")
@@ -121,5 +121,5 @@ def _unit(whole: Span, phrases: InTime[Phrase], retractions: InTime[Phase], chec
     return Unit(_interval(whole), own, back[0] if back else None, rest_of(whole, checking))
 
 
-def _interval(span: Span) -> Interval:
+def _interval(span: TrackSpan) -> Interval:
     return Interval(span.start_s, span.end_s)

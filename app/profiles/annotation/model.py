@@ -60,7 +60,7 @@ class Phase:
 
 
 @dataclass(frozen=True, slots=True)
-class Phrase:
+class GesturePhrase:
     """A gesture: its form, the words that it means (`affiliate`, first and last), and its phases in order of time.
 
     `start` and `end` are where the hand is when the main stroke starts and ends; `tag` is the semantic tag, where the
@@ -95,7 +95,7 @@ class Unit:
     """Gestures between two rests, and the pose in which the hands rest after them, where it is said."""
 
     interval: Interval
-    phrases: tuple[Phrase, ...]
+    phrases: tuple[GesturePhrase, ...]
     retraction: Interval | None = None
     rest: str | None = None
 
@@ -135,6 +135,6 @@ class Annotation:
     unread: tuple[str, ...] = ()
 
     @property
-    def phrases(self) -> tuple[Phrase, ...]:
+    def phrases(self) -> tuple[GesturePhrase, ...]:
         """All gestures in order of time."""
         return tuple(phrase for unit in self.units for phrase in unit.phrases)

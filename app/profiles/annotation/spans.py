@@ -13,7 +13,7 @@ from ..segments import time_of
 from .in_time import InTime
 from .mistakes import AnnotationMistake
 from .model import Labelled, PathForm, PhaseKind, Position, Swivel, TaggedWords
-from .tracks import PHRASE_ATTRIBUTES, Span, Track
+from .tracks import PHRASE_ATTRIBUTES, Track, TrackSpan
 
 SIDEWAYS = ("XEP", "XP", "XC", "XCC", "XOppC", "XOppP", "XOppEP")
 HEIGHTS = ("YUpperEP", "YUpperP", "YUpperC", "YCC", "YLowerC", "YLowerP", "YLowerEP")
@@ -72,9 +72,9 @@ class Checking:
         return (inside[0].index, inside[-1].index) if inside else None
 
 
-def checked_times(track: Track, checking: Checking, *, overlapping: bool = False) -> Iterator[Span]:
+def checked_times(track: Track, checking: Checking, *, overlapping: bool = False) -> Iterator[TrackSpan]:
     """The spans that last, in order; those before 0, without duration or over the one before are mistakes."""
-    last: Span | None = None
+    last: TrackSpan | None = None
     for span in track.spans:
         if span.start_s < 0 or span.end_s <= span.start_s:
             checking.wrong(
@@ -117,7 +117,7 @@ def tags_of(track: Track, checking: Checking) -> Iterator[TaggedWords]:
             yield TaggedWords(span.label, *words)
 
 
-def tag_of(span: Span, checking: Checking) -> str | None:
+def tag_of(span: TrackSpan, checking: Checking) -> str | None:
     """The tag of a phrase, where it says one."""
     tag = span.attributes.get("tag")
     if tag:
@@ -125,7 +125,7 @@ def tag_of(span: Span, checking: Checking) -> str | None:
     return tag or None
 
 
-def _check_tag(tag: str, track: str, span: Span, checking: Checking) -> None:
+def _check_tag(tag: str, track: str, span: TrackSpan, checking: Checking) -> None:
     """Notes a tag that is no communicative function, which nothing that is said would ever have."""
     if checking.tags is not None and tag not in checking.tags:
         told = f"no function is called {tag!r}{did_you_mean(tag, checking.tags)} (docs/functions.md)"
@@ -137,7 +137,7 @@ def labelled_of(track: Track, checking: Checking) -> tuple[Labelled, ...]:
     return tuple(Labelled(Interval(span.start_s, span.end_s), span.label) for span in checked_times(track, checking))
 
 
-def phase_kind(span: Span, checking: Checking) -> PhaseKind | None:
+def phase_kind(span: TrackSpan, checking: Checking) -> PhaseKind | None:
     """The kind of a phase."""
     name = span.label.strip().lower().replace(" ", "_")
     if name not in PHASES:
@@ -145,7 +145,7 @@ def phase_kind(span: Span, checking: Checking) -> PhaseKind | None:
     return PHASES.get(name)
 
 
-def rest_of(span: Span, checking: Checking) -> str | None:
+def rest_of(span: TrackSpan, checking: Checking) -> str | None:
     """The rest after a unit; None where nothing is said."""
     rest = span.label.strip().lower().replace(" ", "_")
     if rest and rest not in RESTS:
@@ -156,7 +156,7 @@ def rest_of(span: Span, checking: Checking) -> str | None:
     return rest or None
 
 
-def lexeme_of(span: Span, checking: Checking) -> str:
+def lexeme_of(span: TrackSpan, checking: Checking) -> str:
     """The lexeme of a phrase, which the library must be able to play."""
     lexeme = (span.label or span.attributes.get("lexeme", "")).strip().upper().replace(" ", "_").replace("-", "_")
     if not _LEXEME.fullmatch(lexeme):
@@ -167,14 +167,14 @@ def lexeme_of(span: Span, checking: Checking) -> str:
     return lexeme
 
 
-def unknown_attributes(span: Span, checking: Checking) -> None:
+def unknown_attributes(span: TrackSpan, checking: Checking) -> None:
     """Notes what a phrase says that is no attribute of a phrase."""
     for name in span.attributes.keys() - PHRASE_ATTRIBUTES:
         told = f"a phrase has no attribute {name!r}{did_you_mean(name, PHRASE_ATTRIBUTES)}"
         checking.wrong("phrases", span.start_s, told)
 
 
-def hand_of(span: Span, checking: Checking) -> Hand:
+def hand_of(span: TrackSpan, checking: Checking) -> Hand:
     """The hand of a phrase, which must be said; where no phrase says it, the track is told, not each."""
     said = span.attributes.get("hand", "").strip().lower()
     if said not in HANDS and (said or checking.hands_said):
@@ -182,7 +182,7 @@ def hand_of(span: Span, checking: Checking) -> Hand:
     return HANDS.get(said, Hand.RIGHT)
 
 
-def path_of(span: Span, checking: Checking) -> PathForm:
+def path_of(span: TrackSpan, checking: Checking) -> PathForm:
     """The form of the stroke's way; straight where nothing is said."""
     said = span.attributes.get("path", PathForm.STRAIGHT).strip().lower()
     if said not in set(PathForm):
@@ -191,7 +191,7 @@ def path_of(span: Span, checking: Checking) -> PathForm:
     return PathForm(said)
 
 
-def position_of(span: Span, name: str, checking: Checking) -> Position | None:
+def position_of(span: TrackSpan, name: str, checking: Checking) -> Position | None:
     """Where the hand is at the start (`from`) or end (`to`) of the stroke; None where nothing is said."""
     said = span.attributes.get(name, "").split()
     if not said:
@@ -207,7 +207,7 @@ def position_of(span: Span, name: str, checking: Checking) -> Position | None:
     return Position(sideways, height, depth, swivel)
 
 
-def affiliate_of(span: Span, checking: Checking) -> tuple[int, int] | None:
+def affiliate_of(span: TrackSpan, checking: Checking) -> tuple[int, int] | None:
     """The words that a phrase means: their numbers (`3`, `3-4`), or the words themselves, those nearest to it in time;
     None where nothing is said."""
     said = span.attributes.get("affiliate", "").strip()
@@ -221,7 +221,7 @@ def affiliate_of(span: Span, checking: Checking) -> tuple[int, int] | None:
     return found
 
 
-def _nearest(said: Sequence[str], span: Span, checking: Checking) -> tuple[int, int] | None:
+def _nearest(said: Sequence[str], span: TrackSpan, checking: Checking) -> tuple[int, int] | None:
     wanted, words = [_bare(each) for each in said], checking.words
     starts = [
         first

@@ -17,7 +17,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from ...errors import did_you_mean
 from .file_text import decoded
 from .mistakes import AnnotationError, AnnotationMistake
-from .tracks import LABELS, PHRASE_ATTRIBUTES, Span, Track, track_name, track_of
+from .tracks import LABELS, PHRASE_ATTRIBUTES, Track, TrackSpan, track_name, track_of
 
 COLUMNS = ("track", "start_s", "end_s", "label")
 DELIMITERS = (",", ";", "\t")
@@ -30,7 +30,7 @@ def read_csv(content: bytes, path: Path) -> tuple[Track, ...]:
     delimiter = max(DELIMITERS, key=(lines or [""])[0].count)
     rows = csv.reader(lines, delimiter=delimiter, strict=True)
     wrong: list[AnnotationMistake] = []
-    by_track: dict[str, list[Span]] = {}
+    by_track: dict[str, list[TrackSpan]] = {}
     try:
         columns = _columns(next(rows, []), path)
         for cells in filter(any, rows):
@@ -60,7 +60,7 @@ def _columns(header: Iterable[str], path: Path) -> list[str]:
     return columns
 
 
-def _row(columns: Sequence[str], cells: Sequence[str]) -> tuple[str, Span]:
+def _row(columns: Sequence[str], cells: Sequence[str]) -> tuple[str, TrackSpan]:
     """The track and the span of a row; raises ValueError with what is wrong with it."""
     if len(cells) != len(columns):
         raise ValueError(f"{len(cells)} cells; the header has {len(columns)}")
@@ -69,7 +69,7 @@ def _row(columns: Sequence[str], cells: Sequence[str]) -> tuple[str, Span]:
         raise ValueError("no track")
     start_s, end_s = (_seconds(row[name], name) for name in ("start_s", "end_s"))
     attributes = {name: cell for name, cell in row.items() if cell and name not in COLUMNS}
-    return row["track"], Span(start_s, end_s, row["label"], attributes)
+    return row["track"], TrackSpan(start_s, end_s, row["label"], attributes)
 
 
 def _seconds(said: str, name: str) -> float:
@@ -116,16 +116,16 @@ def write_json_tracks(tracks: Iterable[Track]) -> bytes:
     return ('{\n "tracks": {\n' + ",\n".join(parts) + "\n }\n}\n").encode()
 
 
-def _form(track: str, span: Span) -> dict[str, object]:
+def _form(track: str, span: TrackSpan) -> dict[str, object]:
     times: dict[str, object] = {"start_s": round(span.start_s, 3), "end_s": round(span.end_s, 3)}
     return {**times, LABELS.get(track, "label"): span.label, **span.attributes}
 
 
-def _span(track: str, span: _SpanForm) -> Span:
+def _span(track: str, span: _SpanForm) -> TrackSpan:
     said = {name: str(value) for name, value in (span.__pydantic_extra__ or {}).items() if value is not None}
     names = (LABELS.get(track, "label"), "label")
     label = next((said.pop(name) for name in names if name in said), "")
-    return Span(span.start_s, span.end_s, label, said)
+    return TrackSpan(span.start_s, span.end_s, label, said)
 
 
 def _mistakes(path: Path, error: ValidationError) -> Iterator[AnnotationMistake]:

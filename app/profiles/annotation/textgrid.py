@@ -12,7 +12,7 @@ from pathlib import Path
 
 from .file_text import decoded
 from .mistakes import AnnotationError, AnnotationMistake
-from .tracks import Span, Track, track_of
+from .tracks import Track, TrackSpan, track_of
 
 _TOKEN = re.compile(r'"(?:[^"]|"")*"|[^\s"]+')
 _KINDS = {"IntervalTier": 3, "TextTier": 2}
@@ -61,11 +61,11 @@ class _Reading:
             if kind == "IntervalTier":
                 yield track_of(self.track, (span for span in spans if span is not None and span.label))
 
-    def _span(self, values: int) -> Span | None:
+    def _span(self, values: int) -> TrackSpan | None:
         """An interval, or a point as one that does not last; None where a time is none."""
         times = [self._number() for _value in range(values - 1)]
         label = self._quoted().strip()
-        return None if None in times else Span(float(times[0] or 0.0), float(times[-1] or 0.0), label)
+        return None if None in times else TrackSpan(float(times[0] or 0.0), float(times[-1] or 0.0), label)
 
     def _number(self) -> float | None:
         """A number, or None with a mistake where a word stands for it."""

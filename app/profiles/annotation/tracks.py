@@ -47,7 +47,7 @@ LABELS: Mapping[str, str] = MappingProxyType(
 
 
 @dataclass(frozen=True, slots=True)
-class Span:
+class TrackSpan:
     """A stretch of a track."""
 
     start_s: float
@@ -65,7 +65,7 @@ class Track:
     """A row of spans, in order of time."""
 
     name: str
-    spans: tuple[Span, ...]
+    spans: tuple[TrackSpan, ...]
 
 
 def track_name(name: str) -> str:
@@ -76,7 +76,7 @@ def track_name(name: str) -> str:
     return TRACK_NAMES.get(parts[-1], parts[-1])
 
 
-def track_of(name: str, spans: Iterable[Span]) -> Track:
+def track_of(name: str, spans: Iterable[TrackSpan]) -> Track:
     """The track by our name, its spans in order of time."""
     return Track(track_name(name), tuple(sorted(spans, key=lambda span: (span.start_s, span.end_s))))
 
@@ -85,8 +85,8 @@ def rows_of(track: Track) -> Iterator[Track]:
     """The track as rows in which no span overlaps another: `tags`, `tags_2`, …"""
     rest, number = track.spans, 1
     while rest or number == 1:
-        row: list[Span] = []
-        over: list[Span] = []
+        row: list[TrackSpan] = []
+        over: list[TrackSpan] = []
         for span in rest:
             (over if row and span.start_s < row[-1].end_s else row).append(span)
         yield Track(track.name if number == 1 else f"{track.name}_{number}", tuple(row))
@@ -95,7 +95,7 @@ def rows_of(track: Track) -> Iterator[Track]:
 
 def merged(tracks: Iterable[Track]) -> Iterator[Track]:
     """The tracks, those of one name in one."""
-    by_name: dict[str, list[Span]] = {}
+    by_name: dict[str, list[TrackSpan]] = {}
     for track in tracks:
         by_name.setdefault(track.name, []).extend(track.spans)
     yield from (track_of(name, spans) for name, spans in by_name.items())
@@ -123,7 +123,7 @@ def with_attributes(tracks: Iterable[Track]) -> Iterator[Track]:
             yield replace(track, spans=tuple(_attributed(span, own) for span in track.spans))
 
 
-def stray_attributes(tracks: Iterable[Track]) -> Iterator[tuple[Track, Span]]:
+def stray_attributes(tracks: Iterable[Track]) -> Iterator[tuple[Track, TrackSpan]]:
     """The spans of tracks of attributes in whose time there is nothing to have the attribute."""
     tracks = tuple(merged(tracks))
     for track in tracks:
@@ -139,10 +139,10 @@ def _attribute_tracks(track: Track, tracks: Iterable[Track]) -> Iterator[tuple[s
             yield each.name.rpartition(".")[2], each
 
 
-def _by_middle(track: Track) -> InTime[Span]:
+def _by_middle(track: Track) -> InTime[TrackSpan]:
     return InTime.of((span for span in track.spans if span.label), lambda span: (span.middle_s, span.middle_s))
 
 
-def _attributed(span: Span, tracks: Iterable[tuple[str, InTime[Span]]]) -> Span:
+def _attributed(span: TrackSpan, tracks: Iterable[tuple[str, InTime[TrackSpan]]]) -> TrackSpan:
     found = {name: each.label for name, track in tracks for each in track.within(span.start_s, span.end_s)}
     return replace(span, attributes={**span.attributes, **found}) if found else span

@@ -31,7 +31,7 @@ LEMMAS_NEAR = 2
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class StrokeWord:
     """A word on which a stroke may fall: its end, its segment, how likely each lexeme is there, and the likeliest tag
     of each with its words."""
 
@@ -44,7 +44,7 @@ class Place:
 
 def places_of(
     profile: Profile, repertoire: Repertoire, utterance: Utterance, tags: Sequence[TaggedWords]
-) -> tuple[Place, ...]:
+) -> tuple[StrokeWord, ...]:
     """The places of a line in order of time; those where nothing can be made are none."""
     words = {word.index: word for word in utterance.words if word.interval is not None}
     segments = segments_of(utterance.words)
@@ -56,7 +56,7 @@ def places_of(
             if repertoire.allows(lexeme, word, _near(lemmas, word)):
                 found.setdefault(word, {}).setdefault(lexeme, []).append((likely / len(on), tag))
     return tuple(
-        Place(
+        StrokeWord(
             word=word,
             end_s=time_of(words[word]).end_s,
             segment=_segment(segments, word),

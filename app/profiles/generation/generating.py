@@ -30,7 +30,7 @@ from ..annotation.model import TaggedWords
 from ..profile import FIRST, Occurrence, Profile
 from ..segments import segments_of, spoken_s
 from ..space import size_of
-from .candidates import Place, places_of
+from .candidates import StrokeWord, places_of
 from .phases import MOVED_S, Timed, after, drawn_main, form_of, with_after_strokes
 from .repertoire import PlayableGesture, Repertoire
 from .script import GestureScript, ScriptedGesture, ScriptedUnit
@@ -242,7 +242,12 @@ MOST_OWED = 1.0
 
 
 def paced_gestures(
-    profile: Profile, places: Sequence[Place], words: Sequence[Word], *, rng: random.Random, likeliest: bool = False
+    profile: Profile,
+    places: Sequence[StrokeWord],
+    words: Sequence[Word],
+    *,
+    rng: random.Random,
+    likeliest: bool = False,
 ) -> tuple[Drawn, ...]:
     """The gestures on the places of words in time."""
     made: list[Drawn] = []

@@ -18,7 +18,7 @@ import numpy as np
 
 from ...model import FloatArray, Hand
 from ..profile import FIRST, Profile
-from .candidates import Place
+from .candidates import StrokeWord
 from .repertoire import Repertoire
 
 APART_S = 0.8
@@ -38,7 +38,7 @@ NEARLY_ALL = 0.98
 class Drawn:
     """A gesture on a place."""
 
-    place: Place
+    place: StrokeWord
     lexeme: str
 
 
@@ -55,7 +55,7 @@ class _Chain:
 
 def drawn_gestures(
     profile: Profile,
-    places: Sequence[Place],
+    places: Sequence[StrokeWord],
     *,
     expected: float,
     rng: random.Random,
@@ -93,7 +93,7 @@ def _hand_shares(profile: Profile) -> Mapping[Hand, float]:
     return {hand: max(sum(each.share * each.hands.get(hand, 0.0) for each in habits), LEAST) for hand in Hand}
 
 
-def _chain(profile: Profile, places: Sequence[Place], lexemes: Sequence[str], following: str) -> _Chain:
+def _chain(profile: Profile, places: Sequence[StrokeWord], lexemes: Sequence[str], following: str) -> _Chain:
     shares = np.array([max(_share(profile, lexeme), LEAST) for lexeme in lexemes])
     weights = np.array([[max(place.weights.get(lexeme, 0.0), NEVER) for lexeme in lexemes] for place in places])
     follows = np.array([_row(profile, lexeme, lexemes, shares) for lexeme in lexemes])

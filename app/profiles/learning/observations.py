@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from ...model import Hand, Word
 from ..annotation.in_time import InTime
-from ..annotation.model import Annotation, Phrase, TaggedWords
+from ..annotation.model import Annotation, GesturePhrase, TaggedWords
 from ..annotation.spans import words_in_time
 from ..profile import ANY_TAG, FIRST
 from ..segments import time_of
@@ -23,7 +23,7 @@ class ObservedGesture:
     """A gesture, its tags, the lexeme and hand before it in the recording (None before the first), how long the main
     stroke ends after its word does, and the time from the stroke before to this one if both are in one segment."""
 
-    phrase: Phrase
+    phrase: GesturePhrase
     tags: tuple[str, ...]
     before: str
     hand_before: Hand | None
@@ -62,20 +62,20 @@ class _Recording:
             segments=InTime.of(range(len(segments)), lambda place: segments[place]),
         )
 
-    def meant(self, phrase: Phrase) -> tuple[int, int] | None:
+    def meant(self, phrase: GesturePhrase) -> tuple[int, int] | None:
         """A phrase's affiliate, else the words that co-occur with its stroke."""
         if phrase.affiliate is not None:
             return phrase.affiliate
         inside = self.words.touching(phrase.main_s.start_s, phrase.main_s.end_s)
         return (inside[0].index, inside[-1].index) if inside else None
 
-    def places_meant(self, phrase: Phrase) -> list[int]:
+    def places_meant(self, phrase: GesturePhrase) -> list[int]:
         """The places of the tags on the words that a phrase means, of its own tag alone if it has one."""
         words = self.meant(phrase)
         on_words = self.tags_on.touching(words[0] - HALF, words[1] + HALF) if words else ()
         return sorted(place for place in on_words if phrase.tag in (None, self.tags[place].tag))
 
-    def segment(self, phrase: Phrase) -> int:
+    def segment(self, phrase: GesturePhrase) -> int:
         """The segment of speech that a phrase is in; -1 for none."""
         words = self.meant(phrase)
         held = self.segments.touching(words[1] - HALF, words[1] + HALF) if words else ()
@@ -86,7 +86,7 @@ def observed_gestures(annotation: Annotation) -> Iterator[ObservedGesture]:
     """The gestures of a recording in order of time."""
     recording = _Recording.of(annotation)
     unit_of = {phrase.interval: number for number, unit in enumerate(annotation.units) for phrase in unit.phrases}
-    before: Phrase | None = None
+    before: GesturePhrase | None = None
     for phrase in annotation.phrases:
         words = recording.meant(phrase)
         tags = tuple(recording.tags[place].tag for place in recording.places_meant(phrase))
@@ -128,7 +128,7 @@ def all_of(annotations: Iterable[Annotation]) -> tuple[tuple[ObservedGesture, ..
     return gestures, tuple(each for annotation in recordings for each in observed_tags(annotation))
 
 
-def _gap_s(before: Phrase | None, phrase: Phrase, recording: _Recording) -> float | None:
+def _gap_s(before: GesturePhrase | None, phrase: GesturePhrase, recording: _Recording) -> float | None:
     """From the last stroke of the gesture before to this one's first; None across segments."""
     if before is None or recording.segment(before) != recording.segment(phrase):
         return None

@@ -31,7 +31,7 @@ class Rows(Generic[Second]):
 
 
 @dataclass(frozen=True, slots=True)
-class TagTable:
+class LearntTags:
     """What comes with each tag, the strength of its prior, and the held-out log-likelihood, nats a tag; `blind` is that
     of a table which does not tell tags apart."""
 
@@ -47,13 +47,13 @@ def rows_of(pairs: Sequence[tuple[str, Second]], prior: Mapping[Second, float]) 
     return Rows(_rows(pairs, prior, strength), strength, held_out)
 
 
-def tag_table(tags: Sequence[ObservedTag]) -> TagTable:
+def tag_table(tags: Sequence[ObservedTag]) -> LearntTags:
     """What came with the tags."""
     strength, held_out = chosen_strength(partial(_tag_likelihood, tags))
     counts = _counts(tags)
     habits = {tag: _habit(counts, tag, strength) for tag in sorted(counts) if _is_kept(counts, tag)}
     blind = [ObservedTag(ANY_TAG, each.outcome) for each in tags]
-    return TagTable(habits, strength, held_out, _tag_likelihood(blind, strength))
+    return LearntTags(habits, strength, held_out, _tag_likelihood(blind, strength))
 
 
 def _rows(

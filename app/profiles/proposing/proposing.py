@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from ...model import Interval
 from ..annotation.model import PhaseKind
-from ..annotation.tracks import Span, Track
+from ..annotation.tracks import Track, TrackSpan
 from .phases import ProposedPhrase, ProposedUnit
 
 UNKNOWN = "UNKNOWN"
@@ -28,25 +28,25 @@ def proposed_tracks(units: Iterable[ProposedUnit], others: Iterable[Track] = ())
     )
 
 
-def _phases(units: Iterable[ProposedUnit]) -> Iterator[Span]:
+def _phases(units: Iterable[ProposedUnit]) -> Iterator[TrackSpan]:
     for unit in units:
         for phase in (*(each for phrase in unit.phrases for each in phrase.phases), unit.retraction):
-            yield Span(phase.interval.start_s, phase.interval.end_s, phase.kind.value)
+            yield TrackSpan(phase.interval.start_s, phase.interval.end_s, phase.kind.value)
 
 
-def _phrase(phrase: ProposedPhrase, words: tuple[Span, ...]) -> Span:
+def _phrase(phrase: ProposedPhrase, words: tuple[TrackSpan, ...]) -> TrackSpan:
     hand = "2H" if phrase.left and phrase.right else "LH" if phrase.left else "RH"
     main = next(phase.interval for phase in phrase.phases if phase.kind is PhaseKind.STROKE)
     meant = [number for number, word in enumerate(words) if word.start_s <= main.end_s]
     affiliate = {"affiliate": str(meant[-1])} if meant else {}
     span = _around(phase.interval for phase in phrase.phases)
-    return Span(span.start_s, span.end_s, UNKNOWN, {"hand": hand, **affiliate})
+    return TrackSpan(span.start_s, span.end_s, UNKNOWN, {"hand": hand, **affiliate})
 
 
-def _unit(unit: ProposedUnit) -> Span:
+def _unit(unit: ProposedUnit) -> TrackSpan:
     phases = [phase.interval for phrase in unit.phrases for phase in phrase.phases]
     span = _around([*phases, unit.retraction.interval])
-    return Span(span.start_s, span.end_s, "")
+    return TrackSpan(span.start_s, span.end_s, "")
 
 
 def _around(intervals: Iterable[Interval]) -> Interval:

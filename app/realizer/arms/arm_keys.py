@@ -14,7 +14,7 @@ from functools import lru_cache, reduce
 import numpy as np
 
 from ...model import Hand
-from ...model.figure import Manner
+from ...model.figure import GestureManner
 from ..body.skeleton import Skeleton
 from ..geometry.rotations import from_rotation_vector, multiply, slerp
 from ..gestures.gesture import ArmKey, ClipKey, Expressivity, FrameType, KeyCurve
@@ -195,7 +195,13 @@ def _bent(pose: PartialPose, side: Hand, bends_deg: tuple[float, ...]) -> Partia
 
 @lru_cache(maxsize=1024)
 def _poses(
-    skeleton: Skeleton, side: Hand, asked: tuple[ArmKey, ...], *, size: float, aim_m: Position | None, manner: Manner
+    skeleton: Skeleton,
+    side: Hand,
+    asked: tuple[ArmKey, ...],
+    *,
+    size: float,
+    aim_m: Position | None,
+    manner: GestureManner,
 ) -> tuple[PartialPose, ...]:
     """The poses of these keys. Cached, because lines repeat keys and each pose searches for an elbow swivel; never
     mutated."""

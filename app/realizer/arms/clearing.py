@@ -33,7 +33,7 @@ _TOGETHER = _together()
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
+class ClearingMode:
     """How a stretch is cleared: displacements are blended over `swell` frames, and limbs leave what they are in on the
     side on which they are on the whole, or, where that does not do, `as_it_ends`: on that on which they come out last,
     as hands that fold on their way to rest must."""
@@ -43,7 +43,7 @@ class Way:
 
 
 def cleared(
-    skeleton: Skeleton, start: PosedBody, way: Way, weights: FloatArray, most_rad: float
+    skeleton: Skeleton, start: PosedBody, way: ClearingMode, weights: FloatArray, most_rad: float
 ) -> tuple[FloatArray, float]:
     """The local rotations of a stretch of frames after the round with the least penetration, and its depth in metres;
     displacements are times `weights` (F, 1), and no joint turns by more than `most_rad` from frame to frame unless it
@@ -75,7 +75,7 @@ def _jumps(rotations: FloatArray, before: FloatArray, most_rad: float) -> bool:
     return bool(turned > max(most_rad, did))
 
 
-def _way_out(found: Contacts, known: FloatArray, way: Way) -> FloatArray:
+def _way_out(found: Contacts, known: FloatArray, way: ClearingMode) -> FloatArray:
     """The direction (T, P, 3) in which each contact is left.
 
     It is the same for a whole stretch of frames and for all parts of trunk and legs, that of its deepest frames or its

@@ -18,7 +18,7 @@ from ..body.contacts import PAIRS, PosedBody, depths_m
 from ..body.limits import clamped
 from ..body.motion import BodyMotion, Decision
 from ..body.skeleton import SIDES, Skeleton
-from .clearing import Way, cleared
+from .clearing import ClearingMode, cleared
 from .displacements import around, frames_in, stretches, taper
 
 _SWELLS_S = (0.18, 0.27, 0.36)
@@ -45,7 +45,7 @@ def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion
         return body, ()
     inside, best = depth_m.max(axis=1) > 0, tuple[_Clearance, ...]()
     for as_it_ends, swell_s in product((False, True), _SWELLS_S):
-        way = Way(frames_in(body.times_s, swell_s), as_it_ends)
+        way = ClearingMode(frames_in(body.times_s, swell_s), as_it_ends)
         tried = tuple(_clearances(skeleton, body, inside, way))
         best = tried if not best or _left_m(tried) < _left_m(best) else best
         if _left_m(best) <= _TOLERATED_M:
@@ -69,7 +69,9 @@ def _left_m(clearances: Sequence[_Clearance]) -> float:
     return max(each.left_m for each in clearances)
 
 
-def _clearances(skeleton: Skeleton, body: BodyMotion, inside: NDArray[np.bool_], way: Way) -> Iterator[_Clearance]:
+def _clearances(
+    skeleton: Skeleton, body: BodyMotion, inside: NDArray[np.bool_], way: ClearingMode
+) -> Iterator[_Clearance]:
     """The stretches around the frames with a limb `inside` something."""
     most_rad = _FASTEST_RAD_S * _SWELLS_S[0] / frames_in(body.times_s, _SWELLS_S[0])
     for first, past in stretches(around(inside, 2 * way.swell)):

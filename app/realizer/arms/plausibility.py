@@ -13,7 +13,7 @@ import numpy as np
 from ...model import FloatArray, Hand, Level
 from ..body.skeleton import Skeleton
 from ..geometry.rotations import multiply, rotate
-from ..gestures.gesture import ArmKey, Definition, Direction
+from ..gestures.gesture import ArmKey, Definition, HandDirection
 from ..gestures.gesture_space import DIRECTIONS, sector_m
 from .posing import PartialPose, pose_arm
 
@@ -60,7 +60,7 @@ def _shortcomings(skeleton: Skeleton, key: ArmKey, amplitude: float) -> Iterator
                 yield f"the {what} stays {off_deg:.0f}° from where it should point"
 
 
-def _off_deg(pose: PartialPose, wanted: Iterable[Direction], axis: FloatArray) -> float:
+def _off_deg(pose: PartialPose, wanted: Iterable[HandDirection], axis: FloatArray) -> float:
     """The angle in degrees between the sum of the wanted directions and the actual axis of the hand; 0 if none is
     wanted."""
     total = np.sum([DIRECTIONS[direction] for direction in wanted], axis=0)

@@ -12,13 +12,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...model import FloatArray, Hand
-from ...model.figure import PLAIN_MANNER, Manner
+from ...model.figure import PLAIN_MANNER, GestureManner
 from ..body.body_space import on_body_m
 from ..body.limits import MIRROR, swing_twist_deg
 from ..body.skeleton import Skeleton
 from ..geometry.rotations import from_axis_angle, from_rotation_vector, inverse, length, multiply, rotate, x_axis
 from ..gestures.arm_joints import PARTS
-from ..gestures.gesture import ArmKey, Depth, HandForm, HandShape, Height, Place, Sideways, Wrist
+from ..gestures.gesture import ArmKey, Depth, HandForm, HandShape, HeightSector, SectorPlace, Sideways, Wrist
 from ..gestures.gesture_space import DIRECTIONS, sector_m
 from ..gestures.hand_shapes import finger_rows, hand_shape
 from ..gestures.wrist_angles import WristAngles, wrist_angles
@@ -27,7 +27,7 @@ from .arm_reach import ArmBones, Reach, collarbone_for, reach
 ARM_ROWS, WRIST_ROWS, HAND_ROWS = slice(0, 3), slice(3, 5), slice(5, 20)
 """The rows of the formational units: arm with collarbone, wrist, hand shape."""
 
-CENTRE = Place(Sideways.C, Height.CC, Depth.MIDDLE)
+CENTRE = SectorPlace(Sideways.C, HeightSector.CC, Depth.MIDDLE)
 
 _SWIVELS: FloatArray = np.radians(np.arange(-60.0, 76.0, 7.5))
 _AT_EASE_DEG: FloatArray = np.array([55.0, 14.0, 45.0])
@@ -74,7 +74,7 @@ def pose_arm(
     *,
     amplitude: float = 1.0,
     aim_m: FloatArray | None = None,
-    manner: Manner = PLAIN_MANNER,
+    manner: GestureManner = PLAIN_MANNER,
 ) -> PartialPose:
     """The pose of one key for the arm `side`; see `pose_arms`."""
     return pose_arms(skeleton, side, [key], amplitude=amplitude, aim_m=aim_m, manner=manner)[0]
@@ -87,7 +87,7 @@ def pose_arms(
     *,
     amplitude: float = 1.0,
     aim_m: FloatArray | None = None,
-    manner: Manner = PLAIN_MANNER,
+    manner: GestureManner = PLAIN_MANNER,
 ) -> tuple[PartialPose, ...]:
     """The pose of each key for the arm `side`; several keys cost hardly more than one.
 
@@ -194,7 +194,7 @@ def _asked(skeleton: Skeleton, key: ArmKey, amplitude: float, aim_m: FloatArray 
     return _Asked(wrist_m, finger_base, palm, key.shoulder or 0.0)
 
 
-def _solved(skeleton: Skeleton, asked: Sequence[_Asked], manner: Manner) -> FloatArray:
+def _solved(skeleton: Skeleton, asked: Sequence[_Asked], manner: GestureManner) -> FloatArray:
     """The first five parts (K, 5, 4) of each arm, at the elbow swivel that suits the wrist and the manner best."""
     bones = ArmBones.of(skeleton)
     wrists_m = np.stack([each.wrist_m for each in asked])[:, None]
@@ -224,7 +224,7 @@ def _turned(forearm: FloatArray, asked: Sequence[_Asked]) -> WristAngles:
 
 
 def _discomfort(
-    arms: Reach, turns: WristAngles, wrists_m: FloatArray, crowded_m: FloatArray, manner: Manner
+    arms: Reach, turns: WristAngles, wrists_m: FloatArray, crowded_m: FloatArray, manner: GestureManner
 ) -> FloatArray:
     """The cost of each swivel: wrist and forearm near or beyond their limits, wrist targets out of the shoulder's
     range, a forearm too near to the trunk, and the swivel itself, so that the elbow is as the manner has it unless

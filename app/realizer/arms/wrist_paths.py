@@ -11,12 +11,12 @@ import numpy as np
 
 from ...model import FloatArray, Hand
 from ..body.skeleton import HIPS_HEIGHT_M
-from ..gestures.gesture import ArmKey, Clip, ClipKey, Depth, Height, Place, Sideways
+from ..gestures.gesture import ArmKey, Clip, ClipKey, Depth, HeightSector, SectorPlace, Sideways
 from ..gestures.gesture_plan import PlacedGesture
 from ..gestures.gesture_space import SHOULDERS_ABOVE_HIPS_M, sector_m
 from .rest_poses import RESTS
 
-_UNPLACED = Place(Sideways.C, Height.CC, Depth.MIDDLE)
+_UNPLACED = SectorPlace(Sideways.C, HeightSector.CC, Depth.MIDDLE)
 """The place assumed for a hand that is given by joint angles."""
 
 _SHOULDER_M: FloatArray = np.array([0.17, SHOULDERS_ABOVE_HIPS_M, 0.0])

@@ -85,7 +85,7 @@ _LEFT: tuple[_Carried, ...] = (
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class BodyMass:
     """What a joint carries: its mass, where the centre of that is, and its moments of inertia about the centre, along
     the joint's axes."""
 
@@ -102,7 +102,7 @@ def mass_kg(skeleton: Skeleton) -> float:
 
 
 @lru_cache(maxsize=64)
-def parts_of(skeleton: Skeleton) -> tuple[Part, ...]:
+def parts_of(skeleton: Skeleton) -> tuple[BodyMass, ...]:
     """The parts of a body, parents before children; fingers are the hand's, toes the foot's, eyes the head's."""
     whole_kg = mass_kg(skeleton)
     sided = [(side, each) for side in SIDES for each in _LEFT]
@@ -121,7 +121,7 @@ def centre_of_mass_m(skeleton: Skeleton, positions_m: FloatArray, turned: FloatA
     return np.asarray(np.tensordot(centres_m, masses_kg / masses_kg.sum(), axes=(-2, 0)))
 
 
-def _part(skeleton: Skeleton, whole_kg: float, side: str, carried: _Carried) -> Part:
+def _part(skeleton: Skeleton, whole_kg: float, side: str, carried: _Carried) -> BodyMass:
     segment, sex = carried.segment, skeleton.proportions.physique.sex
     scale = skeleton.proportions.head if carried.joint == "head" else skeleton.proportions.scale
     from_m, to_m = scale * np.array(carried.from_m), scale * np.array(carried.to_m)
@@ -133,7 +133,7 @@ def _part(skeleton: Skeleton, whole_kg: float, side: str, carried: _Carried) -> 
     radii = {along: segment.longitudinal, (2 if along == 1 else 1): segment.sagittal}
     inertia = [own_kg * (long_m * _of_sex(radii.get(axis, segment.transverse), sex)) ** 2 for axis in range(3)]
     x, y, z = centre_m.tolist()
-    return Part(side + carried.joint, own_kg, (x, y, z), (inertia[0], inertia[1], inertia[2]))
+    return BodyMass(side + carried.joint, own_kg, (x, y, z), (inertia[0], inertia[1], inertia[2]))
 
 
 def _of_sex(pair: tuple[float, float], sex: Sex) -> float:

@@ -16,7 +16,7 @@ from ..body.skeleton import Skeleton
 from ..mannequin.carrying import t_pose_m
 from ..mannequin.colours import MATERIALS, Colour
 from ..mannequin.face import FACE_SHAPES
-from ..mannequin.mannequin import Mannequin, Part, joined
+from ..mannequin.mannequin import Mannequin, MeshPart, joined
 from .animations import Layer, NodeTrack, animations, joint_track
 from .gltf import Accessors, Json, joint_nodes, to_glb_bytes
 
@@ -45,7 +45,7 @@ def to_glb(
     return to_glb_bytes(tree, accessors)
 
 
-def _mesh(name: str, parts: tuple[Part, ...], accessors: Accessors) -> dict[str, Json]:
+def _mesh(name: str, parts: tuple[MeshPart, ...], accessors: Accessors) -> dict[str, Json]:
     with_shapes = any(part.shapes for part in parts)
     mesh: dict[str, Json] = {"name": name, "primitives": [_primitive(part, accessors) for part in parts]}
     if with_shapes:
@@ -53,7 +53,7 @@ def _mesh(name: str, parts: tuple[Part, ...], accessors: Accessors) -> dict[str,
     return mesh
 
 
-def _primitive(part: Part, accessors: Accessors) -> Json:
+def _primitive(part: MeshPart, accessors: Accessors) -> Json:
     surface = part.surface
     attributes: dict[str, Json] = {
         "POSITION": accessors.floats(surface.positions_m, bounds=True, target="ARRAY_BUFFER"),

@@ -77,16 +77,16 @@ class Accessor(_Part):
     view: Annotated[Index | None, Field(alias="bufferView")] = None
 
 
-class Bone(_Part):
+class VrmBone(_Part):
     node: Index
 
 
-class NamedBone(Bone):
+class NamedBone(VrmBone):
     bone: str
 
 
 class Humanoid1(_Part):
-    human_bones: Annotated[dict[str, Bone], Field(alias="humanBones")]
+    human_bones: Annotated[dict[str, VrmBone], Field(alias="humanBones")]
 
 
 class Vrm1(_Part):

@@ -30,7 +30,7 @@ from ..body.skeleton import Skeleton
 from ..geometry.rotations import with_continuous_signs
 from ..mannequin.carrying import t_pose_m
 from ..mannequin.colours import Colour
-from ..mannequin.mannequin import INFLUENCES, Mannequin, Part, joined
+from ..mannequin.mannequin import INFLUENCES, Mannequin, MeshPart, joined
 from .animations import events_json, marker
 
 ROOT = "/Understudy"
@@ -189,7 +189,7 @@ def define_materials(stage: Usd.Stage, path: str, colours: Mapping[str, Colour])
 
 
 def define_mesh(
-    stage: Usd.Stage, path: str, part: Part, skeleton: UsdSkel.Skeleton, material: UsdShade.Material
+    stage: Usd.Stage, path: str, part: MeshPart, skeleton: UsdSkel.Skeleton, material: UsdShade.Material
 ) -> UsdGeom.Mesh:
     """The surface of a part, triangles that are not subdivided."""
     surface = part.surface
@@ -213,7 +213,7 @@ def define_mesh(
     return mesh
 
 
-def _define_shapes(stage: Usd.Stage, binding: UsdSkel.BindingAPI, path: str, part: Part) -> None:
+def _define_shapes(stage: Usd.Stage, binding: UsdSkel.BindingAPI, path: str, part: MeshPart) -> None:
     """A blend shape for each of ARKit's that moves the part; ours for visemes are mixtures of these."""
     moving = {name: offsets_m for name, offsets_m in part.shapes.items() if not name.startswith("viseme_")}
     for name, offsets_m in moving.items():

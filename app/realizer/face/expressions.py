@@ -14,11 +14,11 @@ import numpy as np
 from ...model import Behavior, Channel, FloatArray, SyncPoints
 from ..body.motion import SHAPES, Decision
 from ..geometry.easing import minimum_jerk
-from .face_tables import Side, sided
+from .face_tables import FaceSide, sided
 
 FACIAL = frozenset({Channel.FACE, Channel.EYES})
 
-_SIDES: Mapping[str, Side] = MappingProxyType({side.value: side for side in Side})
+_SIDES: Mapping[str, FaceSide] = MappingProxyType({side.value: side for side in FaceSide})
 
 USUAL_AMOUNT = 0.5
 """The amount of a face without one, as in BML 1.0; a blink without an amount is complete."""
@@ -104,9 +104,9 @@ def _is_facial(behavior: Behavior) -> bool:
     return behavior.kept and behavior.kind in FACIAL
 
 
-def _side(behavior: Behavior) -> Side | None:
+def _side(behavior: Behavior) -> FaceSide | None:
     """The side of a face, from its `direction`; None if there is no such side."""
-    return _SIDES.get((behavior.direction or Side.BOTH).lower())
+    return _SIDES.get((behavior.direction or FaceSide.BOTH).lower())
 
 
 def _amount(behavior: Behavior) -> float:

@@ -56,7 +56,7 @@ class Articulator(StrEnum):
     TONGUE = "tongue"
 
 
-class Side(StrEnum):
+class FaceSide(StrEnum):
     LEFT = "left"
     RIGHT = "right"
     BOTH = "both"
@@ -120,11 +120,11 @@ class FaceTables:
         return cls(MappingProxyType(units | lexemes), _viseme_table(file), _eye_table(file.eyes))
 
 
-def sided(weights: FloatArray, side: Side) -> FloatArray:
+def sided(weights: FloatArray, side: FaceSide) -> FloatArray:
     """The weights on one side of the face; shapes that belong to neither side are halved."""
-    if side is Side.BOTH:
+    if side is FaceSide.BOTH:
         return weights
-    other = "Right" if side is Side.LEFT else "Left"
+    other = "Right" if side is FaceSide.LEFT else "Left"
     own = side.value.capitalize()
     shares = [0.0 if name.endswith(other) else 1.0 if name.endswith(own) else 0.5 for name in SHAPES]
     return np.asarray(weights * np.array(shares))
@@ -141,7 +141,7 @@ _Lexeme = Annotated[str, Field(pattern=r"^[A-Z][A-Z0-9_]*$")]
 
 class _LexemeEntry(Entry):
     units: dict[str, _Weight]
-    side: Side = Side.BOTH
+    side: FaceSide = FaceSide.BOTH
 
 
 class _ArticulatorEntry(Entry):

@@ -14,7 +14,7 @@ from dataclasses import replace
 
 from ...model import Hand, Manner
 from ...model.limits.gesture_limits import brief_share
-from .gesture import ArmKey, Clip, ClipKey, Expressivity, Markers, Place
+from .gesture import ArmKey, Clip, ClipKey, Expressivity, Markers, SectorPlace
 from .gesture_space import sector_m
 
 
@@ -48,14 +48,14 @@ def _is_before_the_end(markers: Markers, key: ClipKey) -> bool:
     return markers.ready <= key.time_s < markers.stroke_end
 
 
-def _end(clip: Clip, side: Hand) -> Place | None:
+def _end(clip: Clip, side: Hand) -> SectorPlace | None:
     """Where a hand's stroke ends: its last place until then."""
     arms = (key.left if side is Hand.LEFT else key.right for key in clip.keys if key.time_s <= clip.markers.stroke_end)
     places = [arm.place for arm in arms if arm is not None and arm.place is not None]
     return places[-1] if places else None
 
 
-def _nearer(arm: ArmKey | None, end: Place | None, share: float) -> ArmKey | None:
+def _nearer(arm: ArmKey | None, end: SectorPlace | None, share: float) -> ArmKey | None:
     """The key with its place that share of the way from the end."""
     if arm is None or arm.place is None or end is None:
         return arm

@@ -10,7 +10,7 @@ from types import MappingProxyType
 
 from ...errors import Mistake
 from .gesture import ArmKey, FrameType, KeyCurve
-from .statements import FrameTree, GestureFile, GestureTree, LocatedMistake, Statement, Word, mistake_in
+from .statements import FrameTree, GestureFile, GestureTree, LocatedMistake, Statement, StatementValue, mistake_in
 
 IN_ORDER: tuple[FrameType, ...] = tuple(FrameType)
 """The phases in order."""
@@ -29,7 +29,7 @@ class TimedFrame:
     tree: FrameTree
     time: float | None
     type: FrameType | None
-    type_at: Word
+    type_at: StatementValue
     leading: ArmKey
     other: ArmKey | None
     noise: bool
@@ -51,7 +51,7 @@ def frame_mistakes(tree: GestureTree, frames: Sequence[TimedFrame]) -> Iterator[
 
 def repeated_statements(statements: Iterable[Statement]) -> Iterator[LocatedMistake]:
     """The lines of a frame or header that repeat an earlier statement."""
-    seen: dict[tuple[str, ...], Word] = {}
+    seen: dict[tuple[str, ...], StatementValue] = {}
     for statement in statements:
         keyword = statement.keyword
         part = [word.text for word in statement.words[: _PARTS.get(keyword.text, 0)]]
@@ -64,7 +64,7 @@ def repeated_statements(statements: Iterable[Statement]) -> Iterator[LocatedMist
 
 def duplicate_names(files: Sequence[GestureFile]) -> Iterator[Mistake]:
     """Gestures with the same name, in one file or several: a mistake at each but the first."""
-    first: dict[str, tuple[GestureFile, Word]] = {}
+    first: dict[str, tuple[GestureFile, StatementValue]] = {}
     for file in files:
         for name in (word for tree in file.gestures for word in _names(tree)):
             if name.text in first:
@@ -74,7 +74,7 @@ def duplicate_names(files: Sequence[GestureFile]) -> Iterator[Mistake]:
             first.setdefault(name.text, (file, name))
 
 
-def _names(tree: GestureTree) -> Iterator[Word]:
+def _names(tree: GestureTree) -> Iterator[StatementValue]:
     for statement in tree.header:
         if statement.keyword.text == "GESTUREINSTANCE" and statement.readable:
             yield statement.words[0]

@@ -12,7 +12,7 @@ from itertools import pairwise
 import numpy as np
 
 from ...model import Hand, Level
-from ...model.figure import Manner
+from ...model.figure import GestureManner
 from .gesture import ArmKey, Clip, ClipKey, Definition, Expressivity, Frame, FrameType, Markers
 from .gesture_space import sector_m
 
@@ -45,7 +45,7 @@ def clip(definition: Definition, level: Level, hand: Hand, category: str) -> Cli
     )
 
 
-def _in_manner(expressivity: Expressivity, manner: Manner) -> Expressivity:
+def _in_manner(expressivity: Expressivity, manner: GestureManner) -> Expressivity:
     return replace(
         expressivity, amplitude=expressivity.amplitude * manner.space, tempo=expressivity.tempo * manner.pace
     )

@@ -15,7 +15,7 @@ from .checking import TimedFrame, frame_mistakes, repeated_statements
 from .gesture import ArmKey, Definition, Expressivity, Frame, FrameType, OffsetTrack
 from .offset_tracks import offset_tracks
 from .specifiers import arm_key, key_curve, number, one_of
-from .statements import FrameTree, GestureTree, LocatedMistake, Statement, Word
+from .statements import FrameTree, GestureTree, LocatedMistake, Statement, StatementValue
 
 MEDIUM = Expressivity(repetition=0.35)
 FACTORS: Mapping[Level, tuple[float, float]] = MappingProxyType(
@@ -131,7 +131,7 @@ def _missing(tree: GestureTree) -> Iterator[LocatedMistake]:
             yield LocatedMistake(tree.start, f"this gesture has no {keyword}")
 
 
-def _categories(words: Sequence[Word], wrong: list[LocatedMistake]) -> tuple[str, ...]:
+def _categories(words: Sequence[StatementValue], wrong: list[LocatedMistake]) -> tuple[str, ...]:
     wrong += _repeated(words)
     for word in words:
         if not _LEXEME.fullmatch(word.text):
@@ -139,7 +139,7 @@ def _categories(words: Sequence[Word], wrong: list[LocatedMistake]) -> tuple[str
     return tuple(word.text for word in words)
 
 
-def _repeated(words: Sequence[Word]) -> Iterator[LocatedMistake]:
+def _repeated(words: Sequence[StatementValue]) -> Iterator[LocatedMistake]:
     for position, word in enumerate(words):
         if word.text in {before.text for before in words[:position]}:
             yield LocatedMistake(word, f"{word.text} stands here a second time")

@@ -11,7 +11,7 @@ from enum import StrEnum
 from pathlib import Path
 
 from ...model import Hand, Level
-from ...model.figure import PLAIN_MANNER, Manner
+from ...model.figure import PLAIN_MANNER, GestureManner
 
 
 class Sideways(StrEnum):
@@ -27,7 +27,7 @@ class Sideways(StrEnum):
     OPP_EP = "XOppEP"
 
 
-class Height(StrEnum):
+class HeightSector(StrEnum):
     """The seven sectors in height; `UPPER_P` is at the shoulders."""
 
     UPPER_EP = "YUpperEP"
@@ -90,7 +90,7 @@ class Bend(StrEnum):
     CLOSED = "bend_closed"
 
 
-class Direction(StrEnum):
+class HandDirection(StrEnum):
     """A direction of the finger base or the palm, in the body's space, independent of the arm's pose."""
 
     UP = "Up"
@@ -117,11 +117,11 @@ class FrameType(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class SectorPlace:
     """A sector of gesture space, and an offset from its centre in metres: outwards, up, away from the body."""
 
     sideways: Sideways
-    height: Height
+    height: HeightSector
     depth: Depth
     offset_m: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
@@ -137,8 +137,8 @@ class Wrist:
     """The directions of the finger base and the palm's normal: sums of directions, orthogonal to each other. Empty
     means `FBDefault` or `PalmDefault`: in line with the forearm, without twist or bend."""
 
-    finger_base: frozenset[Direction] = frozenset()
-    palm: frozenset[Direction] = frozenset()
+    finger_base: frozenset[HandDirection] = frozenset()
+    palm: frozenset[HandDirection] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,7 +146,7 @@ class ArmKey:
     """What a frame defines for one arm; None and () leave a part open. `shoulder` raises (1) or lowers (-1) the
     collarbone, `joints` sets joints (`LowerArm`) by degrees about their x, y and z axes, as for the left arm."""
 
-    place: Place | None = None
+    place: SectorPlace | None = None
     hand: HandShape | None = None
     fingers: tuple[tuple[Finger, Bend], ...] = ()
     wrist: Wrist | None = None
@@ -229,7 +229,7 @@ class Definition:
     tracks: tuple[OffsetTrack, ...] = ()
     path: Path | None = None
     line: int = 1
-    manner: Manner = PLAIN_MANNER
+    manner: GestureManner = PLAIN_MANNER
 
 
 @dataclass(frozen=True, slots=True)
@@ -275,4 +275,4 @@ class Clip:
     stroke_speed_m_s: float
     aimed: bool = False
     tracks: tuple[OffsetTrack, ...] = ()
-    manner: Manner = PLAIN_MANNER
+    manner: GestureManner = PLAIN_MANNER

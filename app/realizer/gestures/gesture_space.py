@@ -12,16 +12,16 @@ from types import MappingProxyType
 import numpy as np
 
 from ...model import FloatArray
-from .gesture import Depth, Direction, Height, Place, Sideways
+from .gesture import Depth, HandDirection, HeightSector, SectorPlace, Sideways
 
-DIRECTIONS: Mapping[Direction, tuple[float, float, float]] = MappingProxyType(
+DIRECTIONS: Mapping[HandDirection, tuple[float, float, float]] = MappingProxyType(
     {
-        Direction.UP: (0.0, 1.0, 0.0),
-        Direction.DOWN: (0.0, -1.0, 0.0),
-        Direction.INWARDS: (-1.0, 0.0, 0.0),
-        Direction.OUTWARDS: (1.0, 0.0, 0.0),
-        Direction.AWAY: (0.0, 0.0, 1.0),
-        Direction.TOWARDS: (0.0, 0.0, -1.0),
+        HandDirection.UP: (0.0, 1.0, 0.0),
+        HandDirection.DOWN: (0.0, -1.0, 0.0),
+        HandDirection.INWARDS: (-1.0, 0.0, 0.0),
+        HandDirection.OUTWARDS: (1.0, 0.0, 0.0),
+        HandDirection.AWAY: (0.0, 0.0, 1.0),
+        HandDirection.TOWARDS: (0.0, 0.0, -1.0),
     }
 )
 """Unit vectors of the directions in these axes."""
@@ -39,25 +39,25 @@ SIDEWAYS_M: Mapping[Sideways, float] = MappingProxyType(
         Sideways.OPP_EP: -0.28,
     }
 )
-HEIGHT: Mapping[Height, float] = MappingProxyType(
+HEIGHT: Mapping[HeightSector, float] = MappingProxyType(
     {
-        Height.UPPER_EP: 1.40,
-        Height.UPPER_P: 1.00,
-        Height.UPPER_C: 0.74,
-        Height.CC: 0.50,
-        Height.LOWER_C: 0.28,
-        Height.LOWER_P: 0.05,
-        Height.LOWER_EP: -0.25,
+        HeightSector.UPPER_EP: 1.40,
+        HeightSector.UPPER_P: 1.00,
+        HeightSector.UPPER_C: 0.74,
+        HeightSector.CC: 0.50,
+        HeightSector.LOWER_C: 0.28,
+        HeightSector.LOWER_P: 0.05,
+        HeightSector.LOWER_EP: -0.25,
     }
 )
 """As shares of the distance from the hips to the shoulders."""
 
 DEPTH_M: Mapping[Depth, float] = MappingProxyType({Depth.NEAR: 0.20, Depth.MIDDLE: 0.31, Depth.FAR: 0.42})
 
-_CENTRE_M = SIDEWAYS_M[Sideways.C], HEIGHT[Height.CC] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[Depth.MIDDLE]
+_CENTRE_M = SIDEWAYS_M[Sideways.C], HEIGHT[HeightSector.CC] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[Depth.MIDDLE]
 
 
-def sector_m(place: Place, amplitude: float = 1.0) -> FloatArray:
+def sector_m(place: SectorPlace, amplitude: float = 1.0) -> FloatArray:
     """The wrist's position (3,) for a place: outwards, above the hips, away. `amplitude` scales its distance from the
     centre."""
     sector = (SIDEWAYS_M[place.sideways], HEIGHT[place.height] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[place.depth])

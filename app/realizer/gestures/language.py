@@ -14,7 +14,16 @@ from types import MappingProxyType
 from lark import Lark, Token, Tree, UnexpectedInput, UnexpectedToken
 
 from ...errors import Mistake, nearest_names
-from .statements import OTHER, FrameTree, GestureFile, GestureTree, LocatedMistake, Statement, Word, mistake_in
+from .statements import (
+    OTHER,
+    FrameTree,
+    GestureFile,
+    GestureTree,
+    LocatedMistake,
+    Statement,
+    StatementValue,
+    mistake_in,
+)
 
 HEADER: Mapping[str, str] = MappingProxyType(
     {
@@ -101,17 +110,17 @@ def _statement(tree: Tree[Token], line: int) -> Statement:
     *other, stated = (child for child in tree.children if child is not None)
     assert isinstance(stated, Tree)
     keyword, *values = (
-        Word(str(token), line, token.column or 1) for token in stated.children if isinstance(token, Token)
+        StatementValue(str(token), line, token.column or 1) for token in stated.children if isinstance(token, Token)
     )
     words = tuple(value for value in values if value.text[0].isalpha())
     numbers = tuple(value for value in values if not value.text[0].isalpha())
     return Statement(keyword, words, numbers, other=bool(other))
 
 
-def _words(code: str, line: int) -> list[Word]:
+def _words(code: str, line: int) -> list[StatementValue]:
     """The words of an unreadable line; an empty word marks its end."""
-    words = [Word(found.group(), line, found.start() + 1) for found in re.finditer(r"\S+", code)]
-    return [*words, Word("", line, len(code) + 1)]
+    words = [StatementValue(found.group(), line, found.start() + 1) for found in re.finditer(r"\S+", code)]
+    return [*words, StatementValue("", line, len(code) + 1)]
 
 
 def _column(error: UnexpectedInput, code: str) -> int:
@@ -119,7 +128,7 @@ def _column(error: UnexpectedInput, code: str) -> int:
     return len(code) + 1 if at_end else int(error.column)
 
 
-def _unread(words: list[Word], column: int, wrong: list[LocatedMistake]) -> Statement:
+def _unread(words: list[StatementValue], column: int, wrong: list[LocatedMistake]) -> Statement:
     """The probable statement of a line that is unreadable from `column` on; its mistake is appended to `wrong`."""
     other = words[0].text == OTHER and len(words) > 2
     keyword = words[1] if other else words[0]

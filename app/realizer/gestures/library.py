@@ -15,7 +15,7 @@ from types import MappingProxyType
 
 from ...errors import AuthoringError, InputError, Mistake, did_you_mean
 from ...model import Hand, Level
-from ...model.figure import Manner
+from ...model.figure import GestureManner
 from ...yaml_files import Entry, Source
 from .checking import duplicate_names
 from .clips import clip
@@ -56,7 +56,7 @@ class Library:
         by_category = {category: tuple(found[category]) for category in sorted(found)}
         return cls(listed, MappingProxyType(by_category), MappingProxyType(dict(aliases)))
 
-    def in_manner(self, manner: Manner) -> "Library":
+    def in_manner(self, manner: GestureManner) -> "Library":
         """The gestures of a character: these, made in its manner.
 
         The paper has two sets of 29 recordings, by a woman and by a man (§3.8). What differs between them is how much

@@ -16,19 +16,19 @@ from .gesture import (
     ArmKey,
     Bend,
     Depth,
-    Direction,
     Finger,
+    HandDirection,
     HandForm,
     HandShape,
-    Height,
+    HeightSector,
     KeyCurve,
-    Place,
+    SectorPlace,
     Sideways,
     Thumb,
     Wrist,
 )
 from .gesture_space import DIRECTIONS
-from .statements import LocatedMistake, Statement, Word
+from .statements import LocatedMistake, Statement, StatementValue
 
 Named = TypeVar("Named", bound=StrEnum)
 
@@ -48,7 +48,7 @@ THUMB_IN_FORM = frozenset(
 )
 """The forms that include the thumb, which therefore cannot be given separately."""
 
-_DIRECTIONS = re.compile("|".join(Direction))
+_DIRECTIONS = re.compile("|".join(HandDirection))
 
 
 def arm_key(statements: Iterable[Statement], wrong: list[LocatedMistake]) -> ArmKey:
@@ -74,19 +74,19 @@ def key_curve(statements: Iterable[Statement], wrong: list[LocatedMistake]) -> K
     return KeyCurve(**{name: number(word, -1, 1, wrong) for name, word in said.items()})
 
 
-def place(statement: Statement, wrong: list[LocatedMistake]) -> Place | None:
+def place(statement: Statement, wrong: list[LocatedMistake]) -> SectorPlace | None:
     """`ARM X Y Z [OFFSET out up away]`."""
     across, height, depth = statement.words
     sideways, up, away = (
         one_of(Sideways, across, "a sector across the body", wrong),
-        one_of(Height, height, "a sector in height", wrong),
+        one_of(HeightSector, height, "a sector in height", wrong),
         one_of(Depth, depth, "a distance from the body", wrong),
     )
     offsets = [number(word, -MAX_OFFSET_M, MAX_OFFSET_M, wrong, unit=" m") for word in statement.numbers]
     if sideways is None or up is None or away is None or None in offsets:
         return None
     out_m, up_m, away_m = (float(offset or 0.0) for offset in offsets or (0.0, 0.0, 0.0))
-    return Place(sideways, up, away, (out_m, up_m, away_m))
+    return SectorPlace(sideways, up, away, (out_m, up_m, away_m))
 
 
 def hand_shape(statement: Statement, wrong: list[LocatedMistake]) -> HandShape | None:
@@ -116,7 +116,7 @@ def wrist(statement: Statement, wrong: list[LocatedMistake]) -> Wrist | None:
     if base is None or palm is None:
         return None
     if not orthogonal(base, palm):
-        left = [f"{PALM}{one}" for one in Direction if orthogonal(base, {one})]
+        left = [f"{PALM}{one}" for one in HandDirection if orthogonal(base, {one})]
         right_would_be = f"right would be {', '.join(left)}" if left else "no single direction of the palm fits it"
         told = f"the palm must face at a right angle to {base_word.text}; {right_would_be}, or a sum of these"
         wrong.append(LocatedMistake(palm_word, told))
@@ -124,7 +124,7 @@ def wrist(statement: Statement, wrong: list[LocatedMistake]) -> Wrist | None:
     return Wrist(base, palm)
 
 
-def orthogonal(finger_base: Iterable[Direction], palm: Iterable[Direction]) -> bool:
+def orthogonal(finger_base: Iterable[HandDirection], palm: Iterable[HandDirection]) -> bool:
     """Whether the sums of directions are orthogonal; exact, since sums are integers. True if either is empty."""
     return sum(_dot(one, other) for one, other in product(finger_base, tuple(palm))) == 0
 
@@ -139,7 +139,9 @@ def joint(statement: Statement, wrong: list[LocatedMistake]) -> tuple[str, tuple
     return (name.text, (x, y, z)) if known and x is not None and y is not None and z is not None else None
 
 
-def number(word: Word, least: float, most: float, wrong: list[LocatedMistake], *, unit: str = "") -> float | None:
+def number(
+    word: StatementValue, least: float, most: float, wrong: list[LocatedMistake], *, unit: str = ""
+) -> float | None:
     """The number, if it is in [least, most]."""
     value = float(word.text)
     if least <= value <= most:
@@ -148,7 +150,7 @@ def number(word: Word, least: float, most: float, wrong: list[LocatedMistake], *
     return None
 
 
-def one_of(names: type[Named], word: Word, what: str, wrong: list[LocatedMistake]) -> Named | None:
+def one_of(names: type[Named], word: StatementValue, what: str, wrong: list[LocatedMistake]) -> Named | None:
     """The member of `names` with this value."""
     if word.text in set(names):
         return names(word.text)
@@ -156,7 +158,7 @@ def one_of(names: type[Named], word: Word, what: str, wrong: list[LocatedMistake
     return None
 
 
-def _unknown(what: str, word: Word, known: Iterable[str]) -> LocatedMistake:
+def _unknown(what: str, word: StatementValue, known: Iterable[str]) -> LocatedMistake:
     """Suggests the nearest of the known words, or lists all if they are few."""
     words = [str(one) for one in known]
     by_capitals = {one.lower(): one for one in words}
@@ -171,14 +173,14 @@ def _part(statement: Statement) -> tuple[str, ...]:
     return (statement.words[0].text,) if statement.keyword.text in {"FINGER", "JOINT"} else ()
 
 
-def _directions(prefix: str, word: Word, wrong: list[LocatedMistake]) -> frozenset[Direction] | None:
+def _directions(prefix: str, word: StatementValue, wrong: list[LocatedMistake]) -> frozenset[HandDirection] | None:
     """The directions of `FBUpAway` or `PalmInwards`; the empty set for `…Default`."""
     rest = word.text.removeprefix(prefix)
     if rest == AS_THE_FOREARM and word.text != rest:
         return frozenset()
-    found = [Direction(name) for name in _DIRECTIONS.findall(rest)]
+    found = [HandDirection(name) for name in _DIRECTIONS.findall(rest)]
     if not word.text.startswith(prefix) or "".join(found) != rest or not found:
-        known = [f"{prefix}{name}" for name in (*Direction, AS_THE_FOREARM)]
+        known = [f"{prefix}{name}" for name in (*HandDirection, AS_THE_FOREARM)]
         wrong.append(_unknown(f"{prefix} and directions, as {prefix}Up or {prefix}UpAway", word, known))
         return None
     clash = next((f"{a} and {b}" for a, b in product(found, found) if _dot(a, b) < 0), None)
@@ -189,7 +191,7 @@ def _directions(prefix: str, word: Word, wrong: list[LocatedMistake]) -> frozens
     return frozenset(found)
 
 
-def _dot(one: Direction, other: Direction) -> float:
+def _dot(one: HandDirection, other: HandDirection) -> float:
     return sum(a * b for a, b in zip(DIRECTIONS[one], DIRECTIONS[other], strict=True))
 
 

@@ -15,7 +15,7 @@ OTHER = "OTHER"
 
 
 @dataclass(frozen=True, slots=True)
-class Word:
+class StatementValue:
     """A value of a statement and its position."""
 
     text: str
@@ -28,9 +28,9 @@ class Statement:
     """One line: keyword, arguments, and whether it refers to the other arm. `numbers` are the numeric arguments in
     order, guaranteed numeric by the grammar."""
 
-    keyword: Word
-    words: tuple[Word, ...] = ()
-    numbers: tuple[Word, ...] = ()
+    keyword: StatementValue
+    words: tuple[StatementValue, ...] = ()
+    numbers: tuple[StatementValue, ...] = ()
     other: bool = False
     readable: bool = True
 
@@ -51,7 +51,7 @@ class GestureTree:
     frames: tuple[FrameTree, ...]
 
     @property
-    def start(self) -> Word:
+    def start(self) -> StatementValue:
         return self.header[0].keyword
 
     def all_readable(self) -> bool:
@@ -77,7 +77,7 @@ class GestureFile:
 class LocatedMistake:
     """A mistake and the word at which it was found."""
 
-    at: Word
+    at: StatementValue
     message: str
 
 

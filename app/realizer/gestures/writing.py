@@ -13,13 +13,13 @@ from .definitions import MEDIUM, RANGES, completed_by_mirroring, derived_express
 from .gesture import (
     ArmKey,
     Definition,
-    Direction,
     Expressivity,
     Frame,
+    HandDirection,
     HandShape,
     KeyCurve,
     OffsetTrack,
-    Place,
+    SectorPlace,
     Thumb,
     Wrist,
 )
@@ -115,7 +115,7 @@ def _key(key: ArmKey) -> Iterator[str]:
     yield from (f"JOINT {joint} {' '.join(map(_number, degrees))}" for joint, degrees in key.joints)
 
 
-def _place(place: Place) -> str:
+def _place(place: SectorPlace) -> str:
     offset = f" OFFSET {' '.join(map(_number, place.offset_m))}" if any(place.offset_m) else ""
     return f"{place.sideways} {place.height} {place.depth}{offset}"
 
@@ -128,8 +128,8 @@ def _wrist(wrist: Wrist) -> str:
     return f"{FINGER_BASE}{_sum(wrist.finger_base)} {PALM}{_sum(wrist.palm)}"
 
 
-def _sum(directions: frozenset[Direction]) -> str:
-    return "".join(direction for direction in Direction if direction in directions) or AS_THE_FOREARM
+def _sum(directions: frozenset[HandDirection]) -> str:
+    return "".join(direction for direction in HandDirection if direction in directions) or AS_THE_FOREARM
 
 
 def _number(value: float) -> str:

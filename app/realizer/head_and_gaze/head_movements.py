@@ -73,7 +73,7 @@ HELD_S, HELD_S_PER_RADIAN, LONGEST_WAY_S = 0.14, 0.012 * 180 / np.pi, 0.3
 
 
 @dataclass(frozen=True, slots=True)
-class Course:
+class MovementTimes:
     """The times of a movement as it is made: it starts, is at its extreme, is left (if it is held), and is over."""
 
     start_s: float
@@ -97,7 +97,7 @@ def movement_angles(times_s: FloatArray, behavior: Behavior, *, ahead: float) ->
     return turned * radians(_amount(behavior) / 2)
 
 
-def course_of(behavior: Behavior) -> Course:
+def course_of(behavior: Behavior) -> MovementTimes:
     """When the movement is made, with time enough to reach its extreme and to return."""
     sync, movement = behavior.sync, MOVEMENTS[behavior.lexeme]
     stroke_s = (sync.start + sync.end) / 2 if sync.stroke is None else sync.stroke
@@ -108,7 +108,7 @@ def course_of(behavior: Behavior) -> Course:
     if any(movement.held):
         least_s = max(least_s, min(HELD_S + HELD_S_PER_RADIAN * angle, LONGEST_WAY_S))
     left_s = relax_s if any(movement.held) else stroke_s
-    return Course(min(sync.start, stroke_s - least_s), stroke_s, relax_s, max(sync.end, left_s + least_s))
+    return MovementTimes(min(sync.start, stroke_s - least_s), stroke_s, relax_s, max(sync.end, left_s + least_s))
 
 
 def realized_heads(behaviors: Iterable[Behavior]) -> dict[str, SyncPoints]:
@@ -133,7 +133,7 @@ def limited_speed(turned: FloatArray, frame_s: float) -> FloatArray:
     return np.asarray(turned * (FASTEST_WAVE_RAD_S / max(speed, FASTEST_WAVE_RAD_S)))
 
 
-def _phase(times_s: FloatArray, course: Course, waves: int, first_extreme: float, ahead: float) -> FloatArray:
+def _phase(times_s: FloatArray, course: MovementTimes, waves: int, first_extreme: float, ahead: float) -> FloatArray:
     """The phase from 0 at the start to 2π × `waves` at the end, with an extreme at the stroke; it leads by the share
     `ahead` of `PHASE_SHIFT` in the middle. After `first_extreme`, extremes are π apart in swings and 2π in nods."""
     last = 2 * np.pi * waves

@@ -14,7 +14,7 @@ from ...model import FloatArray
 from ...model.figure import Legwear, Sex
 from ..body.skeleton import FINGERS, Offset, Skeleton
 from .carrying import t_pose_m
-from .surface import Capsule
+from .surface import SkinnedCapsule
 
 HERE: Offset = (0.0, 0.0, 0.0)
 
@@ -177,31 +177,33 @@ def garments_of(sex: Sex, legwear: Legwear) -> tuple[Garment, ...]:
     return jumper, *below, SHOES, HANDS, NECK
 
 
-def drawn_capsules(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
+def drawn_capsules(garment: Garment, skeleton: Skeleton) -> tuple[SkinnedCapsule, ...]:
     """The capsules that form the garment's surface on this skeleton: middle, left, right."""
     return _capsules(garment, skeleton, besides=Use.CARRIES)
 
 
-def skinning_capsules(garment: Garment, skeleton: Skeleton) -> tuple[Capsule, ...]:
+def skinning_capsules(garment: Garment, skeleton: Skeleton) -> tuple[SkinnedCapsule, ...]:
     """The capsules whose joints the garment's surface is skinned to."""
     return _capsules(garment, skeleton, besides=Use.DRAWN)
 
 
-def _capsules(garment: Garment, skeleton: Skeleton, *, besides: Use) -> tuple[Capsule, ...]:
+def _capsules(garment: Garment, skeleton: Skeleton, *, besides: Use) -> tuple[SkinnedCapsule, ...]:
     places_m = t_pose_m(skeleton)
     middle = [_capsule(bone, skeleton, places_m) for bone in garment.middle if bone.use is not besides]
     left = [_capsule(bone, skeleton, places_m) for bone in garment.left if bone.use is not besides]
     return (*middle, *left, *(_mirrored(capsule) for capsule in left))
 
 
-def _capsule(bone: Bone, skeleton: Skeleton, places_m: FloatArray) -> Capsule:
+def _capsule(bone: Bone, skeleton: Skeleton, places_m: FloatArray) -> SkinnedCapsule:
     start = places_m[skeleton.index[bone.joint]] + np.array(bone.start_m)
     end = places_m[skeleton.index[bone.towards]] + np.array(bone.end_m)
-    return Capsule(bone.joint, _triple(start), _triple(end), bone.start_radius_m, bone.end_radius_m, bone.stretch)
+    return SkinnedCapsule(
+        bone.joint, _triple(start), _triple(end), bone.start_radius_m, bone.end_radius_m, bone.stretch
+    )
 
 
-def _mirrored(capsule: Capsule) -> Capsule:
-    return Capsule(
+def _mirrored(capsule: SkinnedCapsule) -> SkinnedCapsule:
+    return SkinnedCapsule(
         capsule.joint.replace("left", "right"),
         (-capsule.start_m[0], *capsule.start_m[1:]),
         (-capsule.end_m[0], *capsule.end_m[1:]),

@@ -14,7 +14,7 @@ import numpy as np
 from ...model import FloatArray
 from .face import Tissue
 from .head import skin_from_front_m
-from .surface import Capsule, IntArray, Surface, mesh
+from .surface import IntArray, SkinnedCapsule, Surface, mesh
 
 BALL_M = 0.0178
 LID_M = 0.0194
@@ -100,7 +100,7 @@ def brow(side: str) -> tuple[Surface, Tissue]:
     places = skin_from_front_m(np.array([(sign * x, y) for x, y, _radius in BROW]))
     ends = [(float(x), float(y), float(z)) for x, y, z in places]
     rods = tuple(
-        Capsule("head", first, second, BROW[number][2], BROW[number + 1][2])
+        SkinnedCapsule("head", first, second, BROW[number][2], BROW[number + 1][2])
         for number, (first, second) in enumerate(pairwise(ends))
     )
     surface = mesh(rods, blend_m=0.0008, grid_m=0.0021)

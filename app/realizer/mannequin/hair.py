@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from ...model.figure import Hair
-from .surface import Capsule, Surface, mesh
+from .surface import SkinnedCapsule, Surface, mesh
 
 BLEND_M, GRID_M = 0.012, 0.010
 
@@ -12,11 +12,15 @@ HANGS_FROM_M, HANGS_TO_M = -0.02, -0.12
 """Between these heights long hair passes from the head's movement to the chest's."""
 
 
-def _rod(start: tuple[float, float, float], end: tuple[float, float, float], first: float, last: float) -> Capsule:
-    return Capsule("head", start, end, first, last)
+def _rod(
+    start: tuple[float, float, float], end: tuple[float, float, float], first: float, last: float
+) -> SkinnedCapsule:
+    return SkinnedCapsule("head", start, end, first, last)
 
 
-def _both(start: tuple[float, float, float], end: tuple[float, float, float], radius_m: float) -> tuple[Capsule, ...]:
+def _both(
+    start: tuple[float, float, float], end: tuple[float, float, float], radius_m: float
+) -> tuple[SkinnedCapsule, ...]:
     (x, y, z), (u, v, w) = start, end
     return _rod(start, end, radius_m, radius_m), _rod((-x, y, z), (-u, v, w), radius_m, radius_m)
 
@@ -29,7 +33,7 @@ _FULL_CAP = (
     _rod((0, 0.116, -0.022), (0, 0.130, 0.000), 0.086, 0.081),
     _rod((0, 0.056, -0.036), (0, 0.085, -0.022), 0.050, 0.070),
 )
-STYLES: Mapping[Hair, tuple[Capsule, ...]] = MappingProxyType(
+STYLES: Mapping[Hair, tuple[SkinnedCapsule, ...]] = MappingProxyType(
     {
         Hair.BALD: (),
         Hair.SHORT: (

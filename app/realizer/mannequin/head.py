@@ -12,7 +12,7 @@ import numpy as np
 
 from ...model import FloatArray
 from .face import MOUTH_HALF_M, MOUTH_Y_M, Tissue
-from .surface import Capsule, IntArray, Surface, blended_field, mesh
+from .surface import IntArray, SkinnedCapsule, Surface, blended_field, mesh
 
 COLUMNS = 64
 CENTRE_M = np.array([0.0, 0.06, 0.0])
@@ -22,17 +22,19 @@ BLEND_M = 0.009
 MOUTH_M = np.array([0.0, MOUTH_Y_M, 0.106])
 
 
-def _rod(start: tuple[float, float, float], end: tuple[float, float, float], first: float, last: float) -> Capsule:
-    return Capsule("head", start, end, first, last)
+def _rod(
+    start: tuple[float, float, float], end: tuple[float, float, float], first: float, last: float
+) -> SkinnedCapsule:
+    return SkinnedCapsule("head", start, end, first, last)
 
 
-def _pair(capsule: Capsule) -> tuple[Capsule, Capsule]:
+def _pair(capsule: SkinnedCapsule) -> tuple[SkinnedCapsule, SkinnedCapsule]:
     (x, y, z), (u, v, w) = capsule.start_m, capsule.end_m
     radii = (capsule.start_radius_m, capsule.end_radius_m)
-    return capsule, Capsule("head", (-x, y, z), (-u, v, w), *radii, capsule.stretch)
+    return capsule, SkinnedCapsule("head", (-x, y, z), (-u, v, w), *radii, capsule.stretch)
 
 
-SKULL: tuple[Capsule, ...] = (
+SKULL: tuple[SkinnedCapsule, ...] = (
     _rod((0, 0.112, -0.014), (0, 0.112, 0.010), 0.076, 0.078),
     _rod((0, 0.052, 0.035), (0, 0.010, 0.050), 0.055, 0.038),
     _rod((0, -0.004, 0.064), (0, -0.004, 0.066), 0.022, 0.022),
@@ -46,8 +48,8 @@ SKULL: tuple[Capsule, ...] = (
     _rod((-0.014, 0.018, 0.076), (0.014, 0.018, 0.076), 0.021, 0.021),
 )
 
-EARS: tuple[Capsule, ...] = _pair(
-    Capsule("head", (0.079, 0.080, -0.010), (0.077, 0.058, -0.004), 0.016, 0.010, (0.40, 1.0, 1.0))
+EARS: tuple[SkinnedCapsule, ...] = _pair(
+    SkinnedCapsule("head", (0.079, 0.080, -0.010), (0.077, 0.058, -0.004), 0.016, 0.010, (0.40, 1.0, 1.0))
 )
 
 

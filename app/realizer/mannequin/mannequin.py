@@ -25,7 +25,7 @@ from .eyes import ball, brow, lids
 from .face import displacements_m
 from .hair import HANGS_FROM_M, HANGS_TO_M, hair
 from .mouth import teeth, tongue
-from .surface import Capsule, IntArray, Surface, distances_m, mesh
+from .surface import IntArray, SkinnedCapsule, Surface, distances_m, mesh
 
 INFLUENCES = 4
 
@@ -37,7 +37,7 @@ FLESH_SOFTNESS_M = 0.03
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Part:
+class MeshPart:
     """A surface of one material. `joints` (V, 4) influence each vertex with `weights` (V, 4); `shapes` are
     displacements (V, 3) by the blendshapes that affect it."""
 
@@ -53,7 +53,7 @@ class Mannequin:
     """The complete figure, and the colours of its materials."""
 
     skeleton: Skeleton
-    parts: tuple[Part, ...]
+    parts: tuple[MeshPart, ...]
     colours: Mapping[str, Colour]
 
     @classmethod
@@ -63,7 +63,7 @@ class Mannequin:
 
 
 @lru_cache(maxsize=8)
-def _parts(skeleton: Skeleton, hair: Hair, legwear: Legwear) -> tuple[Part, ...]:
+def _parts(skeleton: Skeleton, hair: Hair, legwear: Legwear) -> tuple[MeshPart, ...]:
     """Cached, since building takes a second; never mutated."""
     garments = garments_of(skeleton.proportions.physique.sex, legwear)
     average = Skeleton.standing()
@@ -75,7 +75,7 @@ def _parts(skeleton: Skeleton, hair: Hair, legwear: Legwear) -> tuple[Part, ...]
         closeness = _hanging(surface, average) if garment.hangs else _closeness(surface, bones, average, SOFTNESS_M)
         flesh = closeness if garment.hangs else _closeness(surface, bones, average, FLESH_SOFTNESS_M)
         shares = flesh / flesh.sum(axis=1, keepdims=True)
-        parts.append(Part(garment.material, carried(surface, shares, skeleton), *_most(closeness)))
+        parts.append(MeshPart(garment.material, carried(surface, shares, skeleton), *_most(closeness)))
     return (*parts, *_head_parts(skeleton, hair))
 
 
@@ -89,7 +89,7 @@ def _hanging(surface: Surface, skeleton: Skeleton) -> FloatArray:
     return shares
 
 
-def _head_parts(skeleton: Skeleton, style: Hair) -> tuple[Part, ...]:
+def _head_parts(skeleton: Skeleton, style: Hair) -> tuple[MeshPart, ...]:
     """Everything attached to the head joint, and the eyeballs."""
     average = Skeleton.standing()
     moving = list(mannequin_head.skin())
@@ -114,7 +114,7 @@ def _scaled(shapes: Mapping[str, FloatArray], skeleton: Skeleton) -> dict[str, F
     return {name: skeleton.proportions.head * moved for name, moved in shapes.items()}
 
 
-def _on_head(material: str, surface: Surface, skeleton: Skeleton, joint: str) -> Part:
+def _on_head(material: str, surface: Surface, skeleton: Skeleton, joint: str) -> MeshPart:
     """A part attached to one joint, whose surface is given in the space of the average head."""
     count = len(surface.positions_m)
     joints = np.zeros((count, INFLUENCES), dtype=np.int64)
@@ -122,10 +122,10 @@ def _on_head(material: str, surface: Surface, skeleton: Skeleton, joint: str) ->
     weights = np.tile([1.0, 0.0, 0.0, 0.0], (count, 1))
     head_m = t_pose_m(skeleton)[skeleton.index["head"]]
     positions_m = head_m + on_head(surface.positions_m, skeleton.proportions)
-    return Part(material, replace(surface, positions_m=positions_m), joints, weights)
+    return MeshPart(material, replace(surface, positions_m=positions_m), joints, weights)
 
 
-def _falling(part: Part, grown: Surface, skeleton: Skeleton) -> Part:
+def _falling(part: MeshPart, grown: Surface, skeleton: Skeleton) -> MeshPart:
     """Hair that follows the chest below the chin."""
     below = np.clip((HANGS_FROM_M - grown.positions_m[:, 1]) / (HANGS_FROM_M - HANGS_TO_M), 0.0, 1.0)
     joints, weights = part.joints.copy(), part.weights.copy()
@@ -134,13 +134,13 @@ def _falling(part: Part, grown: Surface, skeleton: Skeleton) -> Part:
     return replace(part, joints=joints, weights=weights)
 
 
-def joined(parts: tuple[Part, ...]) -> tuple[Part, ...]:
+def joined(parts: tuple[MeshPart, ...]) -> tuple[MeshPart, ...]:
     """The parts merged by material, for rendering in one pass."""
     materials = dict.fromkeys(part.material for part in parts)
     return tuple(_as_one(tuple(part for part in parts if part.material == material)) for material in materials)
 
 
-def _as_one(parts: tuple[Part, ...]) -> Part:
+def _as_one(parts: tuple[MeshPart, ...]) -> MeshPart:
     starts = np.cumsum([0, *(len(part.joints) for part in parts)])
     surface = Surface(
         np.concatenate([part.surface.positions_m for part in parts]),
@@ -152,7 +152,7 @@ def _as_one(parts: tuple[Part, ...]) -> Part:
         for name, moved in part.shapes.items():
             shapes[name][start : start + len(moved)] = moved
     joints, weights = (np.concatenate([getattr(part, name) for part in parts]) for name in ("joints", "weights"))
-    return Part(parts[0].material, surface, joints, weights, shapes)
+    return MeshPart(parts[0].material, surface, joints, weights, shapes)
 
 
 def posed(mannequin: Mannequin, rotations: FloatArray, hips_m: FloatArray, shapes: FloatArray) -> tuple[Surface, ...]:
@@ -176,7 +176,7 @@ def posed(mannequin: Mannequin, rotations: FloatArray, hips_m: FloatArray, shape
     return tuple(Surface(position, normal, part.surface.triangles) for part, position, normal in split)
 
 
-def _shaped(part: Part, weight: Mapping[str, float]) -> FloatArray:
+def _shaped(part: MeshPart, weight: Mapping[str, float]) -> FloatArray:
     """The part's vertices, displaced by the blendshapes that have a weight."""
     moved = part.surface.positions_m.copy()
     for name, shape in part.shapes.items():
@@ -185,7 +185,9 @@ def _shaped(part: Part, weight: Mapping[str, float]) -> FloatArray:
     return moved
 
 
-def _closeness(surface: Surface, bones: tuple[Capsule, ...], skeleton: Skeleton, softness_m: float) -> FloatArray:
+def _closeness(
+    surface: Surface, bones: tuple[SkinnedCapsule, ...], skeleton: Skeleton, softness_m: float
+) -> FloatArray:
     """How close each joint is to each vertex (V, J): 1 is the nearest, and the nearer to a bone's surface, the more."""
     distances = distances_m(bones, surface.positions_m)
     closeness = np.zeros((len(surface.positions_m), len(skeleton.names)))

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...model import FloatArray
 from .face import MOUTH_Y_M, Tissue
-from .surface import Capsule, IntArray, Surface, mesh
+from .surface import IntArray, SkinnedCapsule, Surface, mesh
 
 TEETH_HALF_M = 0.0215
 TEETH_FRONT_Z_M = 0.0940
@@ -15,8 +15,8 @@ UPPER_TEETH_Y_M = (MOUTH_Y_M + 0.0095, MOUTH_Y_M + 0.0005)
 LOWER_TEETH_Y_M = (MOUTH_Y_M - 0.0010, MOUTH_Y_M - 0.0090)
 THICKNESS_M = 0.004
 TONGUE = (
-    Capsule("head", (0.0, 0.007, 0.058), (0.0, 0.0095, 0.080), 0.0085, 0.0065, (1.45, 0.75, 1.0)),
-    Capsule("head", (0.0, 0.0095, 0.080), (0.0, 0.0085, 0.086), 0.0065, 0.0050, (1.4, 0.7, 1.0)),
+    SkinnedCapsule("head", (0.0, 0.007, 0.058), (0.0, 0.0095, 0.080), 0.0085, 0.0065, (1.45, 0.75, 1.0)),
+    SkinnedCapsule("head", (0.0, 0.0095, 0.080), (0.0, 0.0085, 0.086), 0.0065, 0.0050, (1.4, 0.7, 1.0)),
 )
 TONGUE_OUT_M = np.array([0.0, 0.004, 0.032])
 

@@ -24,7 +24,7 @@ _GRADIENT_STEP_M = 1e-4
 
 
 @dataclass(frozen=True, slots=True)
-class Capsule:
+class SkinnedCapsule:
     """A part of the body, skinned to `joint`."""
 
     joint: str
@@ -44,12 +44,12 @@ class Surface:
     triangles: IntArray
 
 
-def distances_m(capsules: tuple[Capsule, ...], points_m: FloatArray) -> FloatArray:
+def distances_m(capsules: tuple[SkinnedCapsule, ...], points_m: FloatArray) -> FloatArray:
     """Approximate distances (C, …) of the points (…, 3) from each capsule's surface."""
     return np.stack([_distance_m(capsule, points_m) for capsule in capsules])
 
 
-def mesh(capsules: tuple[Capsule, ...], *, blend_m: float, grid_m: float) -> Surface:
+def mesh(capsules: tuple[SkinnedCapsule, ...], *, blend_m: float, grid_m: float) -> Surface:
     """The surface of the capsules, blended over about `blend_m`, with vertices about `grid_m` apart."""
     boxes = [_box_m(capsule, margin_m=2 * grid_m + REACH * blend_m) for capsule in capsules]
     low = np.min([lowest for lowest, _highest in boxes], axis=0)
@@ -67,7 +67,7 @@ def mesh(capsules: tuple[Capsule, ...], *, blend_m: float, grid_m: float) -> Sur
     return Surface(positions, gradient / np.linalg.norm(gradient, axis=-1, keepdims=True), triangles)
 
 
-def blended_field(capsules: tuple[Capsule, ...], points_m: FloatArray, blend_m: float) -> FloatArray:
+def blended_field(capsules: tuple[SkinnedCapsule, ...], points_m: FloatArray, blend_m: float) -> FloatArray:
     """The combined field of all capsules at the points (N, 3): a smooth minimum of their distances."""
     near = np.zeros(len(points_m))
     for capsule in capsules:
@@ -81,14 +81,14 @@ def _field_m(near: FloatArray, blend_m: float) -> FloatArray:
     return np.asarray(-blend_m * np.log(np.maximum(near, np.exp(-REACH))))
 
 
-def _box_m(capsule: Capsule, *, margin_m: float) -> tuple[FloatArray, FloatArray]:
+def _box_m(capsule: SkinnedCapsule, *, margin_m: float) -> tuple[FloatArray, FloatArray]:
     """The corners of a box that contains the capsule and a margin."""
     ends = np.array([capsule.start_m, capsule.end_m])
     reach = max(capsule.start_radius_m, capsule.end_radius_m) * np.array(capsule.stretch) + margin_m
     return ends.min(axis=0) - reach, ends.max(axis=0) + reach
 
 
-def _distance_m(capsule: Capsule, points_m: FloatArray) -> FloatArray:
+def _distance_m(capsule: SkinnedCapsule, points_m: FloatArray) -> FloatArray:
     stretch = np.array(capsule.stretch)
     start, end = np.array(capsule.start_m) / stretch, np.array(capsule.end_m) / stretch
     axis, from_start = end - start, points_m / stretch - start
@@ -98,7 +98,9 @@ def _distance_m(capsule: Capsule, points_m: FloatArray) -> FloatArray:
     return np.asarray(np.linalg.norm(from_start - along[..., None] * axis, axis=-1) - radius)
 
 
-def _gradient(capsules: tuple[Capsule, ...], points_m: FloatArray, blend_m: float) -> tuple[FloatArray, FloatArray]:
+def _gradient(
+    capsules: tuple[SkinnedCapsule, ...], points_m: FloatArray, blend_m: float
+) -> tuple[FloatArray, FloatArray]:
     """The field at the points, and its gradient by finite differences."""
     steps = _GRADIENT_STEP_M * np.eye(3)
     field = blended_field(capsules, points_m, blend_m)
@@ -106,7 +108,7 @@ def _gradient(capsules: tuple[Capsule, ...], points_m: FloatArray, blend_m: floa
     return field, (np.stack(ahead, axis=-1) - field[..., None]) / _GRADIENT_STEP_M
 
 
-def _projected(capsules: tuple[Capsule, ...], points_m: FloatArray, blend_m: float) -> FloatArray:
+def _projected(capsules: tuple[SkinnedCapsule, ...], points_m: FloatArray, blend_m: float) -> FloatArray:
     field, gradient = _gradient(capsules, points_m, blend_m)
     return np.asarray(points_m - (field / np.sum(gradient**2, axis=-1))[..., None] * gradient)
 

@@ -20,7 +20,7 @@ from xml.etree.ElementTree import Element, SubElement, tostring
 import numpy as np
 
 from ...model import FloatArray
-from ..body.masses import Part, parts_of
+from ..body.masses import BodyMass, parts_of
 from ..body.skeleton import Skeleton
 
 if TYPE_CHECKING:
@@ -120,7 +120,7 @@ def _description(skeleton: Skeleton) -> str:
     return tostring(root, encoding="unicode")
 
 
-def _add_body(above: Element, skeleton: Skeleton, part: Part) -> Element:
+def _add_body(above: Element, skeleton: Skeleton, part: BodyMass) -> Element:
     offset_m = skeleton.offsets_m[skeleton.index[part.joint]]
     body = SubElement(above, "body", name=part.joint, pos=_text(*offset_m))
     if part.joint == "hips":

@@ -10,13 +10,13 @@ from types import MappingProxyType
 from ...model import FloatArray, Hand, Level
 from ...model.limits.gesture_limits import ArmEnds, Forms, GestureForm, GestureTable, Offset
 from ..arms.wrist_paths import relax_m, stroke_end_m, stroke_start_m
-from ..gestures.gesture import Clip, Depth, Height, Place, Sideways
+from ..gestures.gesture import Clip, Depth, HeightSector, SectorPlace, Sideways
 from ..gestures.gesture_plan import GestureRequest
 from ..gestures.gesture_space import sector_m
 from ..head_and_gaze.aiming import with_target
 from .selection import Clips, clips_of, place_clip
 
-_MIDDLE_M = sector_m(Place(Sideways.C, Height.CC, Depth.MIDDLE))
+_MIDDLE_M = sector_m(SectorPlace(Sideways.C, HeightSector.CC, Depth.MIDDLE))
 
 
 def gesture_table(library: Clips, lexemes: Iterable[str]) -> GestureTable:

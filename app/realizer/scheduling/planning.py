@@ -35,7 +35,7 @@ from ..head_and_gaze.aiming import unknown_target, with_target
 from ..showing.directions import aims_m
 from ..showing.showing import as_shown, finger_first, showing, shown_decisions
 from .arm_timelines import ArmTimeline, arm_timeline, rest_changes, units_of
-from .pruning import Admission, admit
+from .pruning import KeptGestures, admit
 from .repetition import is_held_long, let_go_in_time, repeats_until_s, with_beats, with_repeats
 from .rests import posture_changes
 from .second_hand import HandHabits, led_by, of_arm
@@ -124,7 +124,7 @@ def _rests(timelines: Iterable[ArmTimeline], duration_s: float) -> tuple[ArmRest
 
 def chosen_clips(
     library: Clips, schedule: Schedule, setting: TransitionContext, *, seed: int, targets_m: Mapping[str, Position]
-) -> Admission:
+) -> KeptGestures:
     """The gestures that are played with their clips, in order of their strokes, and the decisions about the others."""
     draw = Draw(library, np.random.default_rng(seed), targets_m, setting)
     kept: tuple[PlacedGesture, ...] = ()
@@ -142,7 +142,7 @@ def chosen_clips(
             admission = admit(options, kept, setting)
             kept = admission.kept
             decisions += (*admission.decisions, *_late(kept, request))
-    return Admission(kept, (*decisions, *_shown(asked, kept)))
+    return KeptGestures(kept, (*decisions, *_shown(asked, kept)))
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,28 +29,30 @@ class Obstacle:
 
 
 @dataclass(frozen=True, slots=True)
-class Admission:
+class KeptGestures:
     """The gestures kept so far, and the decisions about the one that was processed."""
 
     kept: tuple[PlacedGesture, ...]
     decisions: tuple[Decision, ...]
 
 
-def admit(options: Sequence[PlacedGesture], kept: tuple[PlacedGesture, ...], setting: TransitionContext) -> Admission:
+def admit(
+    options: Sequence[PlacedGesture], kept: tuple[PlacedGesture, ...], setting: TransitionContext
+) -> KeptGestures:
     """Try to add one gesture to those kept; `options` are its clips in order of preference."""
     decisions: list[Decision] = []
     while True:
         first, hurdle = options[0], obstacle(options[0], kept, setting)
         if hurdle is None:
-            return Admission((*kept, first), tuple(decisions))
+            return KeptGestures((*kept, first), tuple(decisions))
         others = options[1:] if hurdle.replaceable else ()
         other = next((option for option in others if obstacle(option, kept, setting) is None), None)
         if other is not None:
             if other.clip.name != first.clip.name or first.request.slots:
                 decisions.append(_replaced(first, other, hurdle))
-            return Admission((*kept, other), tuple(decisions))
+            return KeptGestures((*kept, other), tuple(decisions))
         if hurdle.rival is None or hurdle.rival.request.priority >= first.request.priority:
-            return Admission(kept, (*decisions, _dropped(first, hurdle)))
+            return KeptGestures(kept, (*decisions, _dropped(first, hurdle)))
         kept = tuple(each for each in kept if each is not hurdle.rival)
         decisions.append(_made_way(hurdle.rival, first, hurdle))
 

@@ -19,13 +19,13 @@ from ..gestures.gesture import (
     Clip,
     ClipKey,
     Depth,
-    Direction,
     Finger,
     FrameType,
+    HandDirection,
     HandForm,
     HandShape,
-    Height,
-    Place,
+    HeightSector,
+    SectorPlace,
     Sideways,
     Thumb,
     Wrist,
@@ -37,7 +37,7 @@ Point = tuple[float, float, float]
 TINY_M = 0.03
 """What is no larger is between two fingers of one hand."""
 
-_CENTRE = Place(Sideways.C, Height.CC, Depth.MIDDLE)
+_CENTRE = SectorPlace(Sideways.C, HeightSector.CC, Depth.MIDDLE)
 _CENTRE_M = sector_m(_CENTRE)
 
 _PALM_M = 0.02
@@ -68,7 +68,7 @@ SHAPES: Mapping[int, tuple[HandShape, tuple[tuple[Finger, Bend], ...]]] = Mappin
 
 
 @dataclass(frozen=True, slots=True)
-class Pose:
+class StrokeEnds:
     """Where a hand is at the start and the end of a stroke, and how it is held."""
 
     start_m: Point
@@ -77,31 +77,31 @@ class Pose:
     wrist: Wrist
 
 
-def at_height(height_m: float) -> Pose:
+def at_height(height_m: float) -> StrokeEnds:
     """A palm, face down, so high above the floor as far as the arm reaches; lower than the elbow it comes from above,
     else from below."""
     up_m = min(max(height_m - HIPS_HEIGHT_M + _PALM_M, _LOWEST_M), _HIGHEST_M)
     aside_m, ahead_m = (float(np.interp(up_m, _HEIGHTS_M, table)) for table in (_ASIDE_M, _AHEAD_M))
     from_m = up_m + (_STROKE_M if up_m < _HEIGHTS_M[1] else -_STROKE_M)
-    held = Wrist(frozenset({Direction.AWAY}), frozenset({Direction.DOWN}))
-    return Pose((aside_m, from_m, ahead_m), (aside_m, up_m, ahead_m), HandShape(HandForm.FLAT), held)
+    held = Wrist(frozenset({HandDirection.AWAY}), frozenset({HandDirection.DOWN}))
+    return StrokeEnds((aside_m, from_m, ahead_m), (aside_m, up_m, ahead_m), HandShape(HandForm.FLAT), held)
 
 
-def apart(size_m: float) -> Pose:
+def apart(size_m: float) -> StrokeEnds:
     """Either of two palms that face each other so far apart. Palms that show something small come from near by, not
     from a wide opening."""
     out_m = min(max(size_m + 2 * _PALM_M, _LEAST_APART_M), _MOST_APART_M) / 2
     from_m = out_m + 0.10 if out_m < 0.15 else 0.4 * out_m
     ahead_m = float(np.interp(out_m, (0.1, 0.55), (0.34, 0.20)))
-    held = Wrist(frozenset({Direction.AWAY}), frozenset({Direction.INWARDS}))
+    held = Wrist(frozenset({HandDirection.AWAY}), frozenset({HandDirection.INWARDS}))
     hand = HandShape(HandForm.FLAT, Thumb.OPEN)
-    return Pose((from_m, 0.20, ahead_m - 0.02), (out_m, 0.25, ahead_m), hand, held)
+    return StrokeEnds((from_m, 0.20, ahead_m - 0.02), (out_m, 0.25, ahead_m), hand, held)
 
 
-def between_fingers() -> Pose:
+def between_fingers() -> StrokeEnds:
     """Something tiny between thumb and index finger, held up where it is seen."""
-    held = Wrist(frozenset({Direction.AWAY, Direction.UP}), frozenset({Direction.INWARDS}))
-    return Pose((0.24, 0.20, 0.26), (0.19, 0.36, 0.33), HandShape(HandForm.PINCH_OPEN), held)
+    held = Wrist(frozenset({HandDirection.AWAY, HandDirection.UP}), frozenset({HandDirection.INWARDS}))
+    return StrokeEnds((0.24, 0.20, 0.26), (0.19, 0.36, 0.33), HandShape(HandForm.PINCH_OPEN), held)
 
 
 def measuring(clip: Clip, slots: Slots) -> Clip:
@@ -121,7 +121,7 @@ def measuring(clip: Clip, slots: Slots) -> Clip:
     return replace(clip, keys=keys, expressivity=as_it_is, stroke_speed_m_s=way_m / (end_s - start_s), tracks=())
 
 
-def _pose(slots: Slots, *, both: bool) -> Pose | None:
+def _pose(slots: Slots, *, both: bool) -> StrokeEnds | None:
     if slots.height_m is not None and not both:
         return at_height(slots.height_m)
     if slots.size_m is not None and both:
@@ -160,7 +160,7 @@ def _key(clip: Clip, time_s: float, kind: FrameType, arm: ArmKey) -> ClipKey:
     return ClipKey(time_s, kind, left, right)
 
 
-def _place(point_m: Point) -> Place:
+def _place(point_m: Point) -> SectorPlace:
     x, y, z = (float(each) for each in np.subtract(point_m, _CENTRE_M))
     return replace(_CENTRE, offset_m=(x, y, z))
 

@@ -14,7 +14,7 @@ import numpy as np
 from ...model import FloatArray, Hand
 from ...model.schedule import Way
 from ..arms.wrist_paths import amplitude
-from ..gestures.gesture import ArmKey, Clip, Depth, Height, Place, Sideways
+from ..gestures.gesture import ArmKey, Clip, Depth, HeightSector, SectorPlace, Sideways
 from ..gestures.gesture_plan import PlacedGesture
 from ..gestures.gesture_space import SHOULDERS_ABOVE_HIPS_M, sector_m
 from .measures import begun_in_time
@@ -24,7 +24,7 @@ ARM_M = 0.53
 
 _SHOULDER_M: FloatArray = np.array([0.17, SHOULDERS_ABOVE_HIPS_M, 0.0])
 _SHOULDER_M.setflags(write=False)
-_CENTRE = Place(Sideways.C, Height.CC, Depth.MIDDLE)
+_CENTRE = SectorPlace(Sideways.C, HeightSector.CC, Depth.MIDDLE)
 
 
 def led(placed: PlacedGesture) -> PlacedGesture:
@@ -109,7 +109,7 @@ def _between(start_m: FloatArray | None, end_m: FloatArray | None, share: float)
     return np.asarray((1 - share) * begun + share * ended)
 
 
-def _at(clip: Clip, side: Hand, time_s: float) -> Place | None:
+def _at(clip: Clip, side: Hand, time_s: float) -> SectorPlace | None:
     """The place of an arm that holds at a time: the last one said, else the first."""
     said = [
         (key.time_s, arm.place)
@@ -120,13 +120,13 @@ def _at(clip: Clip, side: Hand, time_s: float) -> Place | None:
     return before[-1] if before else said[0][1] if said else None
 
 
-def _difference_m(place: Place | None, sector: tuple[str, str, str] | None, size: float) -> FloatArray | None:
+def _difference_m(place: SectorPlace | None, sector: tuple[str, str, str] | None, size: float) -> FloatArray | None:
     if place is None or sector is None:
         return None
     return np.asarray(sector_m(_place(sector)) - sector_m(place, size))
 
 
-def _moved(arm: ArmKey, place: Place | None, way_m: FloatArray, size: float) -> ArmKey:
+def _moved(arm: ArmKey, place: SectorPlace | None, way_m: FloatArray, size: float) -> ArmKey:
     if place is None:
         return arm
     centre_m = sector_m(_CENTRE)
@@ -135,5 +135,5 @@ def _moved(arm: ArmKey, place: Place | None, way_m: FloatArray, size: float) -> 
     return replace(arm, place=replace(_CENTRE, offset_m=(x, y, z)))
 
 
-def _place(sector: tuple[str, str, str]) -> Place:
-    return Place(Sideways(sector[0]), Height(sector[1]), Depth(sector[2]))
+def _place(sector: tuple[str, str, str]) -> SectorPlace:
+    return SectorPlace(Sideways(sector[0]), HeightSector(sector[1]), Depth(sector[2]))

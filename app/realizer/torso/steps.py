@@ -37,7 +37,7 @@ _OVER_LEG = 0.75
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class FootStep:
     """Where the body steps to from its place at first, and how far the feet turn; `first` is the foot that goes first,
     0 for the left."""
 
@@ -70,19 +70,19 @@ def with_steps(
     return replace(body, rotations=rotations, hips_m=hips_m), (Decision("", "stepped", f"both feet move at {told} s"),)
 
 
-def steps_of(schedule: Schedule, *, seed: int) -> tuple[Step, ...]:
+def steps_of(schedule: Schedule, *, seed: int) -> tuple[FootStep, ...]:
     """The steps of a take; none in a short or a still one."""
     if schedule.duration_s <= SHORTEST_TAKE_S or schedule.stillness >= _STILL:
         return ()
     generator = np.random.default_rng(seed + 10)
     side = float(generator.choice([-1.0, 1.0]))
-    steps: list[Step] = []
+    steps: list[FootStep] = []
     for start_s in _starts_s(schedule):
         aside_m = side * float(generator.uniform(*WAY_M))
         away_m = _FORWARD * float(generator.choice([-1.0, 1.0])) * abs(aside_m)
         turn = float(generator.uniform(-_TURN, _TURN))
         before_m = steps[-1].to_m[0] if steps else 0.0
-        steps.append(Step(start_s, (aside_m, away_m), turn, 0 if aside_m > before_m else 1))
+        steps.append(FootStep(start_s, (aside_m, away_m), turn, 0 if aside_m > before_m else 1))
         side = -side
     return tuple(steps)
 
@@ -102,7 +102,7 @@ def _starts_s(schedule: Schedule) -> Iterator[float]:
         yield last_s
 
 
-def _course(times_s: FloatArray, planted: tuple[Footing, Footing], steps: tuple[Step, ...]) -> FeetCourse:
+def _course(times_s: FloatArray, planted: tuple[Footing, Footing], steps: tuple[FootStep, ...]) -> FeetCourse:
     """Where both feet are over time."""
     ankles_m = np.array([np.tile(foot.ankle_m, (len(times_s), 1)) for foot in planted])
     yaws = np.array([np.full(len(times_s), foot.yaw) for foot in planted])
@@ -120,7 +120,7 @@ def _course(times_s: FloatArray, planted: tuple[Footing, Footing], steps: tuple[
     return FeetCourse(ankles_m, yaws)
 
 
-def _carried(times_s: FloatArray, steps: tuple[Step, ...]) -> FloatArray:
+def _carried(times_s: FloatArray, steps: tuple[FootStep, ...]) -> FloatArray:
     """The way of the hips with the feet (T, 2), aside and away."""
     way_m, from_m = np.zeros((len(times_s), 2)), np.zeros(2)
     for step in steps:
@@ -132,7 +132,7 @@ def _carried(times_s: FloatArray, steps: tuple[Step, ...]) -> FloatArray:
 
 
 def _over_the_standing_leg(
-    times_s: FloatArray, aside_m: FloatArray, feet: FeetCourse, steps: tuple[Step, ...]
+    times_s: FloatArray, aside_m: FloatArray, feet: FeetCourse, steps: tuple[FootStep, ...]
 ) -> FloatArray:
     """The hips' place from side to side (T,), over one foot while the other is in the air."""
     for step in steps:

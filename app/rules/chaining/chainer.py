@@ -23,7 +23,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 
 from ...model import Argument, Fact
-from ..knowledge import Alternative, Call, Choice, Claim, Knowledge, Limits, Reason
+from ..knowledge import AlternativeCalls, Call, Choice, Claim, Knowledge, Limits, Reason
 from ..program.program import Program, Stratum
 
 
@@ -194,4 +194,4 @@ class _Search:
         return knot
 
 
-__all__ = ["Alternative", "Argument", "Call", "Choice", "Derivation", "Fact", "Limits", "Reason", "derive"]
+__all__ = ["AlternativeCalls", "Argument", "Call", "Choice", "Derivation", "Fact", "Limits", "Reason", "derive"]

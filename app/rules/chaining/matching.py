@@ -16,12 +16,12 @@ from ...model import Argument, Fact
 from ..language.arithmetic import ComputationError, apply_builtin, apply_operation, compare
 from ..language.tree import (
     Alternatives,
+    ArithmeticOperation,
     Atom,
     Computation,
     Constant,
     Expression,
     Guard,
-    Operation,
     Pattern,
     RuleTree,
     Statement,
@@ -88,7 +88,7 @@ def substitute(expression: Expression, bindings: Bindings) -> Expression:
     if isinstance(expression, Variable):
         value = bindings.get(expression.name)
         return expression if value is None else Constant(value, expression.place)
-    if isinstance(expression, Operation):
+    if isinstance(expression, ArithmeticOperation):
         left, right = substitute(expression.left, bindings), substitute(expression.right, bindings)
         return replace(expression, left=left, right=right)
     if isinstance(expression, Atom):
@@ -193,7 +193,7 @@ def _known(argument: Expression, bindings: Bindings) -> Argument | None:
 def _value(expression: Expression, bindings: Bindings) -> Argument:
     if isinstance(expression, Variable):
         return bindings[expression.name]
-    if isinstance(expression, Operation):
+    if isinstance(expression, ArithmeticOperation):
         return apply_operation(
             expression.operator, _value(expression.left, bindings), _value(expression.right, bindings)
         )

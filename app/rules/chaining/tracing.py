@@ -15,7 +15,7 @@ from ..language.tree import (
     ALWAYS,
     NEVER,
     Alternatives,
-    Choice,
+    ChooseClause,
     Computation,
     Constant,
     Expression,
@@ -48,7 +48,7 @@ class Said:
 
 
 @dataclass(frozen=True, slots=True)
-class Obstacle:
+class UnmetCondition:
     """A missing fact, a fact excluded by `unless`, or a comparison that does not hold."""
 
     lack: ObstacleKind
@@ -70,7 +70,7 @@ class NearMiss:
 
     rule: Rule
     joined: tuple[Said, ...]
-    obstacles: tuple[Obstacle, ...]
+    obstacles: tuple[UnmetCondition, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,19 +143,19 @@ class _Tracer:
         for atom in asserted(rule.tree):
             yield self._said(atom.name, atom.arguments, bindings)
         for part in rule.tree.conclusions:
-            if isinstance(part, Choice):
+            if isinstance(part, ChooseClause):
                 for offered in part.alternatives:
                     calls = " ".join(str(substitute(call, bindings)) for call in offered.calls)
                     yield Said(f"{_wanted(offered.weight)}: {calls}")
 
-    def _obstacle(self, statement: Statement, bindings: Bindings) -> Obstacle:
+    def _obstacle(self, statement: Statement, bindings: Bindings) -> UnmetCondition:
         if isinstance(statement, Pattern) and not statement.absent:
             atom = statement.fact
-            return Obstacle(ObstacleKind.MISSING, self._said(atom.name, atom.arguments, bindings))
+            return UnmetCondition(ObstacleKind.MISSING, self._said(atom.name, atom.arguments, bindings))
         if isinstance(statement, Pattern):
             fact, _ = next(self.facts.fitting(statement.fact, bindings))
-            return Obstacle(ObstacleKind.EXCLUDED, Said(str(fact), self._span(fact.predicate, fact.arguments)))
-        return Obstacle(ObstacleKind.UNTRUE, Said(_compared(statement, bindings)))
+            return UnmetCondition(ObstacleKind.EXCLUDED, Said(str(fact), self._span(fact.predicate, fact.arguments)))
+        return UnmetCondition(ObstacleKind.UNTRUE, Said(_compared(statement, bindings)))
 
     def _said(self, predicate: str, arguments: Sequence[Expression], bindings: Bindings) -> Said:
         """A fact as written in a rule, without its annotation, which is not computed here."""

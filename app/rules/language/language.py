@@ -21,21 +21,21 @@ from .tree import (
     ALWAYS,
     NEVER,
     Alternatives,
+    ArithmeticOperation,
     Assertion,
     Atom,
     Block,
-    Choice,
+    ChooseClause,
     Computation,
     Constant,
     Expression,
     Guard,
-    Operation,
     Parameter,
     Pattern,
-    Place,
     PredicateTree,
     RuleFile,
     RuleTree,
+    SourcePosition,
     Statement,
     Variable,
     WeightedCalls,
@@ -77,7 +77,7 @@ def parse_rules(text: str, path: Path) -> tuple[RuleFile, tuple[Mistake, ...]]:
     return RuleFile(path, lines, tuple(blocks), frozenset(unread)), tuple(mistakes)
 
 
-_Located = tuple[Place, str]
+_Located = tuple[SourcePosition, str]
 
 
 @cache
@@ -93,7 +93,7 @@ def _parse_block(cut: "_Cut") -> tuple[PredicateTree | RuleTree | None, list[_Lo
         parsed = _grammar().parse(text)
     except UnexpectedInput as error:
         line = min(max(error.line, 1), cut.source.count("\n") + 1)
-        place = Place(cut.first_line + line - 1, max(error.column, 1))
+        place = SourcePosition(cut.first_line + line - 1, max(error.column, 1))
         return None, [(place, syntax_message(error, text))]
     except _OverlongLineError as error:
         return None, [(builder.place(error.token), f"more than {_SIGNS_IN_A_LINE} signs in a line; compute in steps")]
@@ -185,8 +185,8 @@ class _Builder(Transformer[Token, Any]):
         self._first_line = first_line
         self.mistakes: list[_Located] = []
 
-    def place(self, token: Token) -> Place:
-        return Place(self._first_line + (token.line or 1) - 1, token.column or 1)
+    def place(self, token: Token) -> SourcePosition:
+        return SourcePosition(self._first_line + (token.line or 1) - 1, token.column or 1)
 
     def start(self, block: PredicateTree | RuleTree) -> PredicateTree | RuleTree:
         return block
@@ -197,9 +197,9 @@ class _Builder(Transformer[Token, Any]):
     def parameter(self, name: Token, merged: Token | None) -> Parameter:
         return Parameter(str(name), merged is not None, self.place(name))
 
-    def rule(self, name: Token, *parts: Statement | Assertion | Choice | None) -> RuleTree:
+    def rule(self, name: Token, *parts: Statement | Assertion | ChooseClause | None) -> RuleTree:
         statements = tuple(part for part in parts if isinstance(part, Pattern | Computation | Guard))
-        conclusions = tuple(part for part in parts if isinstance(part, Assertion | Choice))
+        conclusions = tuple(part for part in parts if isinstance(part, Assertion | ChooseClause))
         return RuleTree(str(name), statements, conclusions, self.place(name))
 
     def fact(self, expression: Expression) -> Pattern:
@@ -218,8 +218,8 @@ class _Builder(Transformer[Token, Any]):
         expected = "a fact to assert, such as fcn(negation, plain, $start, $end, 5)"
         return Assertion(tuple(self._atom(fact, expected) for fact in facts if fact is not None), self.place(keyword))
 
-    def choice(self, keyword: Token, *alternatives: WeightedCalls | None) -> Choice:
-        return Choice(tuple(filter(None, alternatives)), self.place(keyword))
+    def choice(self, keyword: Token, *alternatives: WeightedCalls | None) -> ChooseClause:
+        return ChooseClause(tuple(filter(None, alternatives)), self.place(keyword))
 
     def alternative(self, keyword: Token, *parts: Any) -> WeightedCalls:  # noqa: ANN401  # lark hands parts over mixed
         numbers = [part for part in parts if isinstance(part, Token)]
@@ -256,19 +256,19 @@ class _Builder(Transformer[Token, Any]):
     def negation(self, value: Expression) -> Expression:
         if isinstance(value, Constant) and not isinstance(value.value, str):
             return Constant(-value.value, value.place)
-        return Operation("-", Constant(0, value.place), value, value.place)
+        return ArithmeticOperation("-", Constant(0, value.place), value, value.place)
 
-    def addition(self, left: Expression, right: Expression) -> Operation:
-        return Operation("+", left, right, left.place)
+    def addition(self, left: Expression, right: Expression) -> ArithmeticOperation:
+        return ArithmeticOperation("+", left, right, left.place)
 
-    def subtraction(self, left: Expression, right: Expression) -> Operation:
-        return Operation("-", left, right, left.place)
+    def subtraction(self, left: Expression, right: Expression) -> ArithmeticOperation:
+        return ArithmeticOperation("-", left, right, left.place)
 
-    def multiplication(self, left: Expression, right: Expression) -> Operation:
-        return Operation("*", left, right, left.place)
+    def multiplication(self, left: Expression, right: Expression) -> ArithmeticOperation:
+        return ArithmeticOperation("*", left, right, left.place)
 
-    def division(self, left: Expression, right: Expression) -> Operation:
-        return Operation("/", left, right, left.place)
+    def division(self, left: Expression, right: Expression) -> ArithmeticOperation:
+        return ArithmeticOperation("/", left, right, left.place)
 
     def _atom(self, expression: Expression, expected: str) -> Atom:
         if isinstance(expression, Atom):

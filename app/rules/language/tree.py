@@ -12,7 +12,7 @@ from ...model.functions import Argument
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class SourcePosition:
     line: int
     column: int
 
@@ -22,7 +22,7 @@ class Variable:
     """`$name`, without the dollar sign."""
 
     name: str
-    place: Place
+    place: SourcePosition
 
     def __str__(self) -> str:
         return f"${self.name}"
@@ -31,7 +31,7 @@ class Variable:
 @dataclass(frozen=True, slots=True)
 class Constant:
     value: Argument
-    place: Place
+    place: SourcePosition
 
     def __str__(self) -> str:
         return str(self.value)
@@ -41,7 +41,7 @@ class Constant:
 class Wildcard:
     """`_`: matches anything."""
 
-    place: Place
+    place: SourcePosition
 
     def __str__(self) -> str:
         return "_"
@@ -52,20 +52,20 @@ class Alternatives:
     """`modal|mental`: any one of these constants."""
 
     values: tuple[Argument, ...]
-    place: Place
+    place: SourcePosition
 
     def __str__(self) -> str:
         return "|".join(map(str, self.values))
 
 
 @dataclass(frozen=True, slots=True)
-class Operation:
+class ArithmeticOperation:
     """`left operator right`; the operator is one of + - * /."""
 
     operator: str
     left: "Expression"
     right: "Expression"
-    place: Place
+    place: SourcePosition
 
     def __str__(self) -> str:
         return f"{self.left} {self.operator} {self.right}"
@@ -77,13 +77,13 @@ class Atom:
 
     name: str
     arguments: tuple["Expression", ...]
-    place: Place
+    place: SourcePosition
 
     def __str__(self) -> str:
         return f"{self.name}({', '.join(map(str, self.arguments))})"
 
 
-Expression: TypeAlias = Variable | Constant | Wildcard | Alternatives | Operation | Atom
+Expression: TypeAlias = Variable | Constant | Wildcard | Alternatives | ArithmeticOperation | Atom
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +109,7 @@ class Guard:
     operator: str
     left: Expression
     right: Expression
-    place: Place
+    place: SourcePosition
 
 
 Statement: TypeAlias = Pattern | Computation | Guard
@@ -126,7 +126,7 @@ class WeightedCalls:
     weight: float
     guards: tuple[Guard, ...]
     calls: tuple[Atom, ...]
-    place: Place
+    place: SourcePosition
 
     @property
     def keyword(self) -> str:
@@ -139,15 +139,15 @@ class Assertion:
     """The `assert` part of a rule."""
 
     facts: tuple[Atom, ...]
-    place: Place
+    place: SourcePosition
 
 
 @dataclass(frozen=True, slots=True)
-class Choice:
+class ChooseClause:
     """The `choose` part of a rule."""
 
     alternatives: tuple[WeightedCalls, ...]
-    place: Place
+    place: SourcePosition
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,7 +156,7 @@ class Parameter:
 
     name: str
     merged: bool
-    place: Place
+    place: SourcePosition
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,7 +165,7 @@ class PredicateTree:
 
     name: str
     parameters: tuple[Parameter, ...]
-    place: Place
+    place: SourcePosition
 
 
 @dataclass(frozen=True, slots=True)
@@ -174,8 +174,8 @@ class RuleTree:
 
     name: str
     statements: tuple[Statement, ...]
-    conclusions: tuple[Assertion | Choice, ...]
-    place: Place
+    conclusions: tuple[Assertion | ChooseClause, ...]
+    place: SourcePosition
 
 
 @dataclass(frozen=True, slots=True)

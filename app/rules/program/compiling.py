@@ -8,26 +8,26 @@ from functools import partial
 from ..knowledge import Index, Origin
 from ..language.tree import (
     Atom,
-    Choice,
+    ChooseClause,
     Computation,
     Constant,
     Expression,
     Pattern,
-    Place,
     RuleFile,
     RuleTree,
+    SourcePosition,
     Variable,
     WeightedCalls,
 )
 from .conclusions import Annotated, Assert, Choose, Head, Offer
-from .planning import Layout, Plans, plans, variables_of
+from .planning import Plans, SlotLayout, plans, variables_of
 from .steps import Step
 
 
 def compiled(rule: RuleTree, file: RuleFile, annotated: Mapping[str, bool], indexes: dict[Index, int]) -> Plans:
     """The plans of a checked rule; `annotated` tells which predicates have annotations, `indexes` assigns numbers to
     indexes."""
-    layout = Layout(annotated, partial(_locate, file, rule.name))
+    layout = SlotLayout(annotated, partial(_locate, file, rule.name))
     compiler = _Compiler(rule, layout, [part for part in rule.statements if isinstance(part, Computation)])
     last = compiler.last_step()
     late = late_computations(compiler.computations, annotation_variables(rule, annotated))
@@ -60,7 +60,7 @@ def late_computations(computations: Sequence[Computation], annotations: Mapping[
     return tuple(ordered)
 
 
-def _locate(file: RuleFile, rule: str, place: Place) -> Origin:
+def _locate(file: RuleFile, rule: str, place: SourcePosition) -> Origin:
     return Origin(file.path, place.line, place.column, file.lines[place.line - 1], rule)
 
 
@@ -69,7 +69,7 @@ class _Compiler:
     """Builds the last step of a rule. Computations in its arguments are added to `computations`, hidden ones last."""
 
     rule: RuleTree
-    layout: Layout
+    layout: SlotLayout
     computations: list[Computation]
 
     def last_step(self) -> Step:
@@ -77,7 +77,7 @@ class _Compiler:
         origin = self.layout.locate(self.rule.place)
         joins = sum(isinstance(part, Pattern) and not part.absent for part in self.rule.statements)
         supports = tuple(map(self.layout.fact, range(joins)))
-        if isinstance(concluded, Choice):
+        if isinstance(concluded, ChooseClause):
             offers = tuple(map(self._offer, concluded.alternatives))
             return Choose(offers, self._annotated(), supports, origin)
         slots = [tuple(map(self._slot, atom.arguments)) for atom in concluded.facts]

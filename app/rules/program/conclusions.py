@@ -6,7 +6,7 @@ from functools import partial
 
 from ...model import Argument, Fact
 from ..knowledge import (
-    Alternative,
+    AlternativeCalls,
     Call,
     Choice,
     Claim,
@@ -110,9 +110,9 @@ class Offer:
                 raise origin.error(str(error)) from None
         return True
 
-    def to_alternative(self, environment: Environment) -> Alternative:
+    def to_alternative(self, environment: Environment) -> AlternativeCalls:
         calls = [Call(name, tuple([environment[slot] for slot in slots])) for name, slots in self.calls]
-        return Alternative(self.weight, tuple(calls))
+        return AlternativeCalls(self.weight, tuple(calls))
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,15 +14,15 @@ from ..knowledge import Beginning, Environment, Index, Knowledge, Origin, Pick, 
 from ..language.arithmetic import apply_builtin, apply_operation, compare
 from ..language.tree import (
     Alternatives,
+    ArithmeticOperation,
     Atom,
     Computation,
     Constant,
     Expression,
     Guard,
-    Operation,
     Pattern,
-    Place,
     RuleTree,
+    SourcePosition,
     Statement,
     Variable,
 )
@@ -35,7 +35,7 @@ _INVERSE = {"+": "-", "-": "+"}
 
 
 @dataclass(frozen=True, slots=True)
-class Plan:
+class MatchPlan:
     """One way to match a rule: `template` is the initial environment.
 
     A plan that starts from new facts only needs to run if the last round added facts under one of `beginnings`.
@@ -54,19 +54,19 @@ class Plan:
 class Plans:
     """The plans of one rule: from all facts, and, one per pattern, from the facts that are new to it."""
 
-    from_all: Plan
-    from_recent: tuple[Plan, ...]
+    from_all: MatchPlan
+    from_recent: tuple[MatchPlan, ...]
 
 
 @dataclass(slots=True)
-class Layout:
+class SlotLayout:
     """Assigns slots to the constants, variables and facts of one rule, and compiles its expressions to functions.
 
     `annotated` tells which predicates have an annotation as their last argument.
     """
 
     annotated: Mapping[str, bool]
-    locate: Callable[[Place], Origin]
+    locate: Callable[[SourcePosition], Origin]
     template: list[object] = field(default_factory=list)
     _slots: dict[object, int] = field(default_factory=dict)
 
@@ -97,7 +97,7 @@ class Layout:
             return pick((self.variable(expression.name),))
         if isinstance(expression, Constant):
             return pick((self.constant(expression.value),))
-        if isinstance(expression, Operation):
+        if isinstance(expression, ArithmeticOperation):
             left, right = self.evaluator(expression.left), self.evaluator(expression.right)
             return partial(_operation, expression.operator, left, right)
         if isinstance(expression, Atom):
@@ -110,7 +110,7 @@ class Layout:
 
 
 def plans(
-    rule: RuleTree, layout: Layout, indexes: dict[Index, int], *, computed: Sequence[Computation], last: Step
+    rule: RuleTree, layout: SlotLayout, indexes: dict[Index, int], *, computed: Sequence[Computation], last: Step
 ) -> Plans:
     """The plans of a checked rule, each ending in `last`; indexes they need are assigned numbers in `indexes`.
 
@@ -127,14 +127,14 @@ def plans(
         (planner.beginning(number, numbers, tuple(conditions)), planner.beginnings(number)) for number in numbers
     )
     template = tuple(layout.template)
-    return Plans(Plan(template, from_all), tuple(Plan(template, *each) for each in from_recent))
+    return Plans(MatchPlan(template, from_all), tuple(MatchPlan(template, *each) for each in from_recent))
 
 
 def variables_of(expression: Expression) -> frozenset[str]:
     """The names of the variables in an expression."""
     if isinstance(expression, Variable):
         return frozenset({expression.name})
-    if isinstance(expression, Operation):
+    if isinstance(expression, ArithmeticOperation):
         return variables_of(expression.left) | variables_of(expression.right)
     if isinstance(expression, Atom):
         return frozenset().union(*map(variables_of, expression.arguments))
@@ -143,7 +143,7 @@ def variables_of(expression: Expression) -> frozenset[str]:
 
 @dataclass(frozen=True, slots=True)
 class _Planner:
-    layout: Layout
+    layout: SlotLayout
     indexes: dict[Index, int]
     joins: Sequence[Pattern]
     last: Step
@@ -282,10 +282,10 @@ def _limits(
 
 def _moved(side: Expression, other: Expression) -> tuple[Expression, Expression]:
     """The sides of a guard, with a whole number added to or subtracted from this side moved to the other."""
-    if not isinstance(side, Operation) or side.operator not in _INVERSE:
+    if not isinstance(side, ArithmeticOperation) or side.operator not in _INVERSE:
         return side, other
     if isinstance(side.right, Constant) and isinstance(side.right.value, int):
-        return side.left, Operation(_INVERSE[side.operator], other, side.right, side.place)
+        return side.left, ArithmeticOperation(_INVERSE[side.operator], other, side.right, side.place)
     return side, other
 
 

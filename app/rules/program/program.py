@@ -13,15 +13,15 @@ from types import MappingProxyType
 
 from ...errors import AuthoringError
 from ..knowledge import Beginning, Index
-from ..language.tree import Assertion, Atom, Block, Choice, Constant, Pattern, PredicateTree, RuleFile, RuleTree
+from ..language.tree import Assertion, Atom, Block, ChooseClause, Constant, Pattern, PredicateTree, RuleFile, RuleTree
 from .checking import check
 from .compiling import compiled
-from .planning import Plan
+from .planning import MatchPlan
 from .stratification import asserted, feeding, strata
 
 
 @dataclass(frozen=True, slots=True)
-class Mention:
+class FactMention:
     """A fact as written in a rule: `arguments` are source terms ("negation", "$start", "modal|mental", "_")."""
 
     predicate: str
@@ -40,8 +40,8 @@ class Rule:
     line: int
     comment: str
     source: str
-    joins: tuple[Mention, ...]
-    asserts: tuple[Mention, ...]
+    joins: tuple[FactMention, ...]
+    asserts: tuple[FactMention, ...]
     calls: tuple[str, ...]
     tree: RuleTree
 
@@ -62,15 +62,15 @@ class Predicate:
 class Stratum:
     """Rules that run together: `first` once on all facts, then `later` on the facts that each round added.
 
-    `waiting` maps what a plan may begin from (`Plan.beginnings`) to the numbers of the plans in `later`.
+    `waiting` maps what a plan may begin from (`MatchPlan.beginnings`) to the numbers of the plans in `later`.
     """
 
-    first: tuple[Plan, ...]
-    later: tuple[Plan, ...]
+    first: tuple[MatchPlan, ...]
+    later: tuple[MatchPlan, ...]
     waiting: Mapping[Beginning, tuple[int, ...]]
 
     @classmethod
-    def of(cls, first: Iterable[Plan], later: Sequence[Plan]) -> "Stratum":
+    def of(cls, first: Iterable[MatchPlan], later: Sequence[MatchPlan]) -> "Stratum":
         waiting: defaultdict[Beginning, list[int]] = defaultdict(list)
         for number, plan in enumerate(later):
             for beginning in plan.beginnings:
@@ -78,7 +78,7 @@ class Stratum:
         filed = {beginning: tuple(numbers) for beginning, numbers in waiting.items()}
         return cls(tuple(first), tuple(later), MappingProxyType(filed))
 
-    def due(self, brought: Iterable[Beginning]) -> Iterator[Plan]:
+    def due(self, brought: Iterable[Beginning]) -> Iterator[MatchPlan]:
         """The later plans for which there are new facts, in the order of the rules."""
         numbers = {number for beginning in brought for number in self.waiting.get(beginning, ())}
         return (self.later[number] for number in sorted(numbers))
@@ -91,7 +91,7 @@ class Program:
     rules: tuple[Rule, ...]
     predicates: Mapping[str, Predicate]
     strata: tuple[Stratum, ...]
-    choosers: tuple[Plan, ...]
+    choosers: tuple[MatchPlan, ...]
     indexes: tuple[Index, ...]
 
     @property
@@ -171,7 +171,7 @@ def _rule(file: RuleFile, block: Block, tree: RuleTree) -> Rule:
     calls = [
         call.name
         for part in tree.conclusions
-        if isinstance(part, Choice)
+        if isinstance(part, ChooseClause)
         for alternative in part.alternatives
         for call in alternative.calls
     ]
@@ -189,8 +189,8 @@ def _rule(file: RuleFile, block: Block, tree: RuleTree) -> Rule:
     )
 
 
-def _mention(atom: Atom) -> Mention:
-    return Mention(atom.name, tuple(map(str, atom.arguments)))
+def _mention(atom: Atom) -> FactMention:
+    return FactMention(atom.name, tuple(map(str, atom.arguments)))
 
 
 OMITTED = 0

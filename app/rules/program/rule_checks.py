@@ -14,18 +14,18 @@ from ..language.arithmetic import BUILTINS, is_ordering
 from ..language.tree import (
     NEVER,
     Alternatives,
+    ArithmeticOperation,
     Assertion,
     Atom,
-    Choice,
+    ChooseClause,
     Computation,
     Constant,
     Expression,
     Guard,
-    Operation,
     Pattern,
-    Place,
     PredicateTree,
     RuleTree,
+    SourcePosition,
     Variable,
     WeightedCalls,
     Wildcard,
@@ -34,7 +34,7 @@ from .compiling import annotation_variables, late_computations
 from .planning import variables_of
 from .stratification import asserted
 
-Located = tuple[Place, str]
+Located = tuple[SourcePosition, str]
 
 MOST_STATEMENTS = 50
 """The maximum depth of a plan; a longer rule would be unreadable anyway."""
@@ -93,7 +93,7 @@ def _conclusions(rule: RuleTree) -> Iterator[Located]:
     for part in rule.conclusions:
         if isinstance(part, Assertion) and not part.facts:
             yield part.place, "expected a fact to assert below `assert`"
-        if isinstance(part, Choice) and not part.alternatives:
+        if isinstance(part, ChooseClause) and not part.alternatives:
             yield part.place, "expected an alternative below `choose`: `weight NUMBER`, and behaviours below that"
     for alternative in _alternatives(rule):
         if alternative.weight <= 0 and alternative.weight != NEVER:
@@ -134,7 +134,7 @@ def _fact(atom: Atom, declared: Declared) -> Iterator[Located]:
 def _pattern(pattern: Pattern, declared: Declared) -> Iterator[Located]:
     """Mistakes in a pattern's arguments."""
     for argument in pattern.fact.arguments:
-        if isinstance(argument, Operation | Atom):
+        if isinstance(argument, ArithmeticOperation | Atom):
             yield argument.place, "a pattern computes nothing; compute on a line of its own: $x = ..."
     if not declared.annotated[pattern.fact.name]:
         return
@@ -150,7 +150,7 @@ def _values(expression: Expression) -> Iterator[Located]:
     """Mistakes in an expression that is evaluated."""
     if isinstance(expression, Wildcard | Alternatives):
         yield expression.place, f"`{expression}` only stands in patterns; here one value is wanted"
-    elif isinstance(expression, Operation):
+    elif isinstance(expression, ArithmeticOperation):
         for part in (expression.left, expression.right):
             yield from _number(part, expression.operator)
     elif isinstance(expression, Atom):
@@ -187,7 +187,7 @@ def _comparable(guard: Guard) -> Iterator[Located]:
 def _kind(expression: Expression) -> str:
     if isinstance(expression, Constant):
         return "text" if isinstance(expression.value, str) else "number"
-    return "number" if isinstance(expression, Operation | Atom) else ""
+    return "number" if isinstance(expression, ArithmeticOperation | Atom) else ""
 
 
 def _unbound(rule: RuleTree) -> Iterator[Located]:
@@ -275,7 +275,7 @@ def _used(rule: RuleTree) -> Iterator[Variable]:
 def _variables(expression: Expression) -> Iterator[Variable]:
     if isinstance(expression, Variable):
         yield expression
-    elif isinstance(expression, Operation):
+    elif isinstance(expression, ArithmeticOperation):
         yield from _variables(expression.left)
         yield from _variables(expression.right)
     elif isinstance(expression, Atom):
@@ -295,5 +295,5 @@ def _guards(rule: RuleTree) -> Iterator[Guard]:
 
 def _alternatives(rule: RuleTree) -> Iterator[WeightedCalls]:
     for part in rule.conclusions:
-        if isinstance(part, Choice):
+        if isinstance(part, ChooseClause):
             yield from part.alternatives

@@ -17,17 +17,17 @@ from ...realizer.gestures.gesture import (
     Bend,
     Definition,
     Depth,
-    Direction,
     Expressivity,
     Finger,
     Frame,
     FrameType,
+    HandDirection,
     HandForm,
     HandShape,
-    Height,
+    HeightSector,
     KeyCurve,
     OffsetTrack,
-    Place,
+    SectorPlace,
     Sideways,
     Thumb,
     TrackForm,
@@ -53,16 +53,16 @@ class PlaceValues(Values):
     """A sector of gesture space; `offset_m` is outwards, up and away from its centre."""
 
     x: Sideways
-    y: Height
+    y: HeightSector
     z: Depth
     offset_m: Triple = (0.0, 0.0, 0.0)
 
     @classmethod
-    def of(cls, place: Place) -> Self:
+    def of(cls, place: SectorPlace) -> Self:
         return cls(x=place.sideways, y=place.height, z=place.depth, offset_m=place.offset_m)
 
-    def to_place(self) -> Place:
-        return Place(self.x, self.y, self.z, self.offset_m)
+    def to_place(self) -> SectorPlace:
+        return SectorPlace(self.x, self.y, self.z, self.offset_m)
 
 
 class HandValues(Values):
@@ -75,8 +75,8 @@ class HandValues(Values):
 class WristValues(Values):
     """Sums of directions; an empty one is in line with the forearm."""
 
-    finger_base: tuple[Direction, ...] = ()
-    palm: tuple[Direction, ...] = ()
+    finger_base: tuple[HandDirection, ...] = ()
+    palm: tuple[HandDirection, ...] = ()
 
     @classmethod
     def of(cls, wrist: Wrist) -> Self:
@@ -311,9 +311,9 @@ def _expressivity(found: Expressivity) -> ExpressivityValues:
     return ExpressivityValues(**{name: getattr(found, name) for name in Expressivity.__slots__})
 
 
-def _in_order(directions: Iterable[Direction]) -> tuple[Direction, ...]:
+def _in_order(directions: Iterable[HandDirection]) -> tuple[HandDirection, ...]:
     said = set(directions)
-    return tuple(direction for direction in Direction if direction in said)
+    return tuple(direction for direction in HandDirection if direction in said)
 
 
 def _one_line(text: str) -> str:

@@ -18,11 +18,11 @@ from ...realizer.gestures.gesture import (
     ArmKey,
     Bend,
     Depth,
-    Direction,
     Finger,
+    HandDirection,
     HandForm,
-    Height,
-    Place,
+    HeightSector,
+    SectorPlace,
     Sideways,
     Thumb,
     TrackForm,
@@ -33,9 +33,9 @@ from ...realizer.gestures.specifiers import MAX_DEGREES, MAX_OFFSET_M, THUMB_IN_
 from ..response_model import Number, ResponseModel
 
 _AXES = (
-    (Direction.UP, Direction.DOWN),
-    (Direction.INWARDS, Direction.OUTWARDS),
-    (Direction.AWAY, Direction.TOWARDS),
+    (HandDirection.UP, HandDirection.DOWN),
+    (HandDirection.INWARDS, HandDirection.OUTWARDS),
+    (HandDirection.AWAY, HandDirection.TOWARDS),
 )
 
 
@@ -56,7 +56,7 @@ class FormResponse(ResponseModel):
 class OrientationResponse(ResponseModel):
     """A sum of directions; `partners` are the indices of those at a right angle to it."""
 
-    directions: list[Direction]
+    directions: list[HandDirection]
     vector: tuple[Number, Number, Number]
     partners: list[int]
 
@@ -131,7 +131,7 @@ class GestureLanguageResponse(ResponseModel):
 
 def out_of_reach(skeleton: Skeleton) -> list[tuple[str, str, str]]:
     """The sectors whose centre the wrist misses by more than the checker tolerates."""
-    places = [Place(x, y, z) for x, y, z in product(Sideways, Height, Depth)]
+    places = [SectorPlace(x, y, z) for x, y, z in product(Sideways, HeightSector, Depth)]
     poses = pose_arms(skeleton, Hand.LEFT, [ArmKey(place=place) for place in places])
     return [
         (place.sideways, place.height, place.depth)
@@ -161,6 +161,6 @@ def _orientations() -> list[OrientationResponse]:
     ]
 
 
-def _vector(directions: Iterable[Direction]) -> tuple[float, float, float]:
+def _vector(directions: Iterable[HandDirection]) -> tuple[float, float, float]:
     x, y, z = (sum(DIRECTIONS[one][axis] for one in directions) for axis in range(3))
     return float(x), float(y), float(z)

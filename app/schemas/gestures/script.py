@@ -84,7 +84,7 @@ class WordForm(_Form):
     phones: tuple[PhoneForm, ...] = ()
 
 
-class GestureForm(_Form):
+class ScriptGestureForm(_Form):
     """A gesture; its first stroke is the main one."""
 
     id: _Name
@@ -114,7 +114,7 @@ class GestureForm(_Form):
         return ScriptedGesture(strokes=strokes, start=_position(self.start), end=_position(self.end), **said)
 
 
-class UnitForm(StretchForm):
+class ScriptUnitForm(StretchForm):
     """A unit: the ids of its gestures, and the rest after it."""
 
     gestures: tuple[str, ...]
@@ -130,8 +130,8 @@ class GestureScriptForm(_Form):
     agitation: Level = Level.MEDIUM
     duration_s: Annotated[float, Field(gt=0, le=LONGEST_S)]
     words: tuple[WordForm, ...] = ()
-    gestures: Annotated[tuple[GestureForm, ...], Field(max_length=MOST_GESTURES)]
-    units: Annotated[tuple[UnitForm, ...], Field(max_length=MOST_GESTURES)] = ()
+    gestures: Annotated[tuple[ScriptGestureForm, ...], Field(max_length=MOST_GESTURES)]
+    units: Annotated[tuple[ScriptUnitForm, ...], Field(max_length=MOST_GESTURES)] = ()
 
 
 def script_json(script: GestureScript, utterance: Utterance, character: str) -> bytes:

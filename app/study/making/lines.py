@@ -12,7 +12,7 @@ from ...batch.work.jobs import LineJob
 from ...errors import InputError
 from ...model import Line
 from ...options import Options
-from ..request import Source
+from ..request import StudySource
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +24,7 @@ class StudyLine:
     options: Options
 
 
-def read_lines(source: Source, options: Options) -> tuple[StudyLine, ...]:
+def read_lines(source: StudySource, options: Options) -> tuple[StudyLine, ...]:
     """The lines in their order, all performed by `options` but for what the script says of single ones.
 
     Raises InputError `study_lines` with every line that cannot be shown, and as `plan_batch` does.
@@ -32,7 +32,7 @@ def read_lines(source: Source, options: Options) -> tuple[StudyLine, ...]:
     return tuple(_in_folder(source, options) if source.lines.is_dir() else _in_script(source, options))
 
 
-def _in_folder(source: Source, options: Options) -> Iterator[StudyLine]:
+def _in_folder(source: StudySource, options: Options) -> Iterator[StudyLine]:
     found = find_recordings(source.lines, without=source.out)
     wordless = [each.relative for each in found if not each.path.with_suffix(".txt").is_file()]
     if wordless or not found:
@@ -49,7 +49,7 @@ def _text(path: Path) -> str:
         raise InputError("study_lines", f"{path}: not UTF-8 at byte {error.start}; save it as UTF-8") from None
 
 
-def _in_script(source: Source, options: Options) -> Iterator[StudyLine]:
+def _in_script(source: StudySource, options: Options) -> Iterator[StudyLine]:
     audio = source.audio or source.lines.parent
     request = BatchRequest(source.lines, audio, source.out, options=options, has_partners=False, learns_voices=False)
     plan = plan_batch(request)

@@ -17,7 +17,7 @@ from statistics import fmean, stdev
 from scipy import stats
 
 from ...errors import InputError
-from ..comparison import CONDITIONS, Choice, Comparison
+from ..comparison import CONDITIONS, Comparison, RaterChoice
 from .reading import Rating, by_rater
 
 FEWEST_RATERS = 2
@@ -173,9 +173,10 @@ def _by_grade(trials: Iterable[Sequence[Rating]], conditions: Sequence[str]) -> 
 def _by_choice(ratings: Iterable[Rating], conditions: Iterable[str]) -> Mapping[str, Preference] | None:
     """What raters said was best and worst."""
     chosen = Counter((each.choice, each.condition) for each in ratings)
-    best, worst = (sum(chosen[choice, name] for name in conditions) for choice in (Choice.BEST, Choice.WORST))
+    best, worst = (sum(chosen[choice, name] for name in conditions) for choice in (RaterChoice.BEST, RaterChoice.WORST))
     if not best or not worst:
         return None
     return {
-        name: Preference(chosen[Choice.BEST, name] / best, chosen[Choice.WORST, name] / worst) for name in conditions
+        name: Preference(chosen[RaterChoice.BEST, name] / best, chosen[RaterChoice.WORST, name] / worst)
+        for name in conditions
     }

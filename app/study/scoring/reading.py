@@ -21,12 +21,12 @@ from ..comparison import (
     MOST_UNDERSTOOD,
     UNDECIDED,
     UNDERSTOOD,
-    Choice,
     Comparison,
     Key,
+    RaterChoice,
     Shown,
 )
-from .tables import AnswersError, CellMistake, Row, Table, read_table
+from .tables import AnswersError, CellMistake, Table, TableRow, read_table
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +37,7 @@ class Rating:
     line: str
     condition: str
     grade: float
-    choice: Choice = Choice.NEITHER
+    choice: RaterChoice = RaterChoice.NEITHER
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,7 +113,7 @@ class _Reading:
         self._ratings: list[Rating] = []
         self._verdicts: list[Verdict] = []
         self._understood: list[int] = []
-        self._first: dict[tuple[str, ...], Row] = {}
+        self._first: dict[tuple[str, ...], TableRow] = {}
 
     def read(self, table: Table) -> None:
         """Reads every row; raises AnswersError where the columns do not say what clips show."""
@@ -135,7 +135,7 @@ class _Reading:
             raise AnswersError(self._mistakes)
         return Answers(self._comparison, tuple(self._ratings), tuple(self._verdicts), tuple(self._understood))
 
-    def _rating(self, row: Row) -> None:
+    def _rating(self, row: TableRow) -> None:
         clip = self._clip(row, "clip") if "clip" in row.cells else self._told(row)
         grade, choice = self._grade(row), self._choice(row)
         if clip is None or grade is None or choice is None:
@@ -143,21 +143,21 @@ class _Reading:
         if self._is_new(row, row.cells["rater"], clip.line, clip.condition):
             self._ratings.append(Rating(row.cells["rater"], clip.line, clip.condition, grade, choice))
 
-    def _told(self, row: Row) -> Shown | None:
+    def _told(self, row: TableRow) -> Shown | None:
         condition, known = row.cells["condition"], CONDITIONS[Comparison.MODES]
         if condition not in known:
             self._mistakes.append(row.refused("condition", f"give one of {', '.join(known)}"))
             return None
         return Shown(row.cells["line"], condition)
 
-    def _clip(self, row: Row, name: str) -> Shown | None:
+    def _clip(self, row: TableRow, name: str) -> Shown | None:
         shown = (self._key or {}).get(row.cells[name])
         if shown is None or shown.condition not in CONDITIONS[self._comparison]:
             self._mistakes.append(row.refused(name, "the key has no such clip; is it that of another study?"))
             return None
         return shown
 
-    def _grade(self, row: Row) -> float | None:
+    def _grade(self, row: TableRow) -> float | None:
         try:
             grade = float(row.cells["rating"])
         except ValueError:
@@ -167,14 +167,14 @@ class _Reading:
         self._mistakes.append(row.refused("rating", f"give a number from {LOWEST} to {HIGHEST}"))
         return None
 
-    def _choice(self, row: Row) -> Choice | None:
+    def _choice(self, row: TableRow) -> RaterChoice | None:
         told = row.cells.get("choice", "")
-        if told in set(Choice):
-            return Choice(told)
+        if told in set(RaterChoice):
+            return RaterChoice(told)
         self._mistakes.append(row.refused("choice", "give best, worst or nothing"))
         return None
 
-    def _verdict(self, row: Row) -> None:
+    def _verdict(self, row: TableRow) -> None:
         dimension = row.cells["dimension"]
         if dimension == UNDERSTOOD:
             self._understanding(row)
@@ -183,14 +183,14 @@ class _Reading:
         else:
             self._decision(row, dimension)
 
-    def _understanding(self, row: Row) -> None:
+    def _understanding(self, row: TableRow) -> None:
         answer = row.cells["answer"]
         if answer in map(str, range(1, MOST_UNDERSTOOD + 1)):
             self._understood.append(int(answer))
         else:
             self._mistakes.append(row.refused("answer", f"give 1 to {MOST_UNDERSTOOD} for {UNDERSTOOD}"))
 
-    def _decision(self, row: Row, dimension: str) -> None:
+    def _decision(self, row: TableRow, dimension: str) -> None:
         if "a" in row.cells:
             clips = [self._clip(row, name) for name in ("a", "b")]
             if None in clips:
@@ -205,7 +205,7 @@ class _Reading:
         elif self._is_new(row, row.cells["rater"], line, dimension):
             self._verdicts.append(Verdict(row.cells["rater"], line, dimension, choices.get(answer)))
 
-    def _is_new(self, row: Row, *answered: str) -> bool:
+    def _is_new(self, row: TableRow, *answered: str) -> bool:
         """Whether nobody has answered this before; the same answer twice is a mistake."""
         first = self._first.setdefault(answered, row)
         if first is not row:

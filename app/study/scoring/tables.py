@@ -31,7 +31,7 @@ class CellMistake:
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class TableRow:
     """A line of the file: its cells by column name, and where each column stands."""
 
     path: Path
@@ -54,7 +54,7 @@ class Table:
 
     path: Path
     columns: tuple[str, ...]
-    rows: tuple[Row, ...]
+    rows: tuple[TableRow, ...]
 
     def require(self, columns: Collection[str]) -> None:
         """Raises AnswersError with every missing column."""
@@ -85,7 +85,7 @@ def read_table(path: Path) -> Table:
     for line, cells in lines[1:]:
         if len(cells) != len(columns):
             mistakes.append(CellMistake(path, line, f"{len(cells)} cells, and the first line has {len(columns)}"))
-        rows.append(Row(path, line, dict(zip(columns, map(str.strip, cells), strict=False)), places))
+        rows.append(TableRow(path, line, dict(zip(columns, map(str.strip, cells), strict=False)), places))
     if mistakes:
         raise AnswersError(mistakes)
     return Table(path, columns, tuple(rows))

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from xml.sax.saxutils import quoteattr
 
-from understudy.bml.markup.elements import BML_CORE, CORE, Attribute, ElementKind, Kind
+from understudy.bml.markup.elements import BML_CORE, CORE, Attribute, ElementKind, ValueKind
 
 from .breaking import Rng
 
@@ -90,10 +90,10 @@ def _value(name: str, attribute: Attribute, timed: Mapping[str, float], rng: Rng
     if name in timed:
         return f"{timed[name]:.2f}"
     values = {
-        Kind.ID: f"b{rng.randrange(9)}{rng.choice('abc')}",
-        Kind.NUMBER: f"{rng.uniform(-90, 90):.1f}",
-        Kind.SHARE: f"{rng.random():.2f}",
-        Kind.COUNT: str(rng.randrange(5)),
-        Kind.TIME: rng.choice(("0.5", "1.25", "b1a:start", "b2b:end + 0.2")),
+        ValueKind.ID: f"b{rng.randrange(9)}{rng.choice('abc')}",
+        ValueKind.NUMBER: f"{rng.uniform(-90, 90):.1f}",
+        ValueKind.SHARE: f"{rng.random():.2f}",
+        ValueKind.COUNT: str(rng.randrange(5)),
+        ValueKind.TIME: rng.choice(("0.5", "1.25", "b1a:start", "b2b:end + 0.2")),
     }
     return values.get(attribute.kind) or rng.choice(("NOD", "SHAKE", "BEAT", "POINTING", "SMILE", "default", "1"))

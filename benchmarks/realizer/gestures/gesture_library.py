@@ -24,14 +24,14 @@ from understudy.realizer.arms.posing import pose_arm, wrist_of
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.gestures.clips import LEADING, clip
-from understudy.realizer.gestures.gesture import Clip, FrameType, Height, Sideways
+from understudy.realizer.gestures.gesture import Clip, FrameType, HeightSector, Sideways
 from understudy.realizer.gestures.gesture_space import HEIGHT, SHOULDERS_ABOVE_HIPS_M, SIDEWAYS_M, sector_m
 from understudy.realizer.gestures.library import Library
 from understudy.resources import resource_folder
 
-RINGS: Mapping[Sideways | Height, int] = {
+RINGS: Mapping[Sideways | HeightSector, int] = {
     **dict(zip(Sideways, (3, 2, 1, 0, 1, 2, 3), strict=True)),
-    **dict(zip(Height, (3, 2, 1, 0, 1, 2, 3), strict=True)),
+    **dict(zip(HeightSector, (3, 2, 1, 0, 1, 2, 3), strict=True)),
 }
 RING_NAMES = ("centre-centre", "centre", "periphery", "extreme periphery")
 PEOPLE_RINGS_PERCENT = (9, 24, 60, 7)

@@ -13,7 +13,7 @@ from understudy.acoustic.alignment.decoder_process import (
     Decoded,
     DecodedPhone,
     DecoderProcess,
-    Span,
+    FrameSpan,
 )
 from understudy.acoustic.alignment.pieces import (
     KEPT_FRAMES,
@@ -93,10 +93,10 @@ def test_more_words_than_can_be_said_have_no_path() -> None:
     assert _decoded(samples, words * 9) is None
 
 
-def _spans(*pauses_s: float) -> list[Span]:
+def _spans(*pauses_s: float) -> list[FrameSpan]:
     """Words of half a second with these pauses before them."""
     starts_s = np.cumsum(pauses_s) + 0.5 * np.arange(len(pauses_s))
-    return [Span(True, round(start_s * FRAMES_PER_S), FRAMES_PER_S // 2) for start_s in starts_s]
+    return [FrameSpan(True, round(start_s * FRAMES_PER_S), FRAMES_PER_S // 2) for start_s in starts_s]
 
 
 def test_a_stretch_is_cut_in_the_last_clear_pause_before_a_piece_gets_too_long() -> None:
@@ -122,7 +122,7 @@ def test_without_a_clear_pause_the_longest_is_taken() -> None:
 
 def test_no_cut_goes_through_a_filler() -> None:
     words = _spans(*[1.5] * 14)
-    fillers = [Span(False, word.first_frame - FRAMES_PER_S, FRAMES_PER_S // 2) for word in words]
+    fillers = [FrameSpan(False, word.first_frame - FRAMES_PER_S, FRAMES_PER_S // 2) for word in words]
     cuts = cuts_in_pauses(sorted([*words, *fillers], key=lambda span: span.first_frame), 30 * FRAMES_PER_S)
     assert len(cuts) == 3
     assert not [cut for cut in cuts for each in fillers if each.first_frame < cut.frame < each.end_frame]

@@ -2,7 +2,7 @@
 
 import pytest
 
-from understudy.api.workers.form import Part, read_form
+from understudy.api.workers.form import FormPart, read_form
 from understudy.errors import InputError, TooLargeError, UndecodableError, UnderstudyError, UnsupportedFormatError
 
 BOUNDARY = "edge"
@@ -17,7 +17,7 @@ def _part(name: str, content: bytes, file_name: str | None = None) -> bytes:
 
 def _read(
     body: bytes, media_type: str = f"multipart/form-data; boundary={BOUNDARY}", *, most_bytes: int = 1000
-) -> dict[str, Part]:
+) -> dict[str, FormPart]:
     return read_form(media_type, body, {"audio": 1000, "text": most_bytes})
 
 
@@ -25,8 +25,8 @@ def test_parts_come_by_name_byte_for_byte() -> None:
     body = _part("audio", b"\x00\r\n--edg\xff", "a.wav") + _part("text", "héllo".encode()) + END
     whole = _read(body)
     assert whole == {
-        "audio": Part("audio", b"\x00\r\n--edg\xff", "a.wav"),
-        "text": Part("text", "héllo".encode(), None),
+        "audio": FormPart("audio", b"\x00\r\n--edg\xff", "a.wav"),
+        "text": FormPart("text", "héllo".encode(), None),
     }
     assert whole["text"].text == "héllo"
 
@@ -72,6 +72,6 @@ def test_a_part_may_be_as_large_as_its_limit_and_no_larger(size: int) -> None:
 
 def test_text_that_is_not_utf_8_is_refused_and_surrogates_are_left_to_the_transcript() -> None:
     with pytest.raises(UndecodableError) as caught:
-        _ = Part("text", b"caf\xe9", None).text
+        _ = FormPart("text", b"caf\xe9", None).text
     assert caught.value.field == "text"
-    assert Part("text", b"\xed\xa0\x80", None).text == "\ud800"
+    assert FormPart("text", b"\xed\xa0\x80", None).text == "\ud800"

@@ -5,7 +5,7 @@ from types import MappingProxyType
 
 import pytest
 
-from understudy.batch.casting.cast_file import Cast, Part
+from understudy.batch.casting.cast_file import Cast, CastPart
 from understudy.batch.casting.casting import Casting, listener_name, neighbours
 from understudy.batch.model import Recording, ScriptLine, Take
 from understudy.model import Level, Target
@@ -18,7 +18,7 @@ def line(row: int, character: str, scene: str = "1", **fields: object) -> Script
     return ScriptLine(row=row, id=f"l{row}", text="no", character=character, scene=scene, **fields)  # type: ignore[arg-type]
 
 
-def options(told: ScriptLine, lines: list[ScriptLine], *, has_partners: bool = True, **parts: Part) -> Options:
+def options(told: ScriptLine, lines: list[ScriptLine], *, has_partners: bool = True, **parts: CastPart) -> Options:
     cast = Cast(MappingProxyType(parts))
     casting = Casting.of(cast, Options(seed=1, stillness=0.25), OURS, lines, has_partners=has_partners)
     return casting.options(Take(told.id, told, Recording(Path("rec/x.wav"))))
@@ -34,7 +34,7 @@ def test_those_who_speak_next_in_the_scene_are_partners() -> None:
 
 def test_partners_listen_and_are_played_by_whom_they_are_cast() -> None:
     lines = [line(1, "Ann"), line(2, "BEN"), line(3, "Mrs. O'Hara")]
-    made = options(lines[1], lines, ann=Part(character="expansive"))
+    made = options(lines[1], lines, ann=CastPart(character="expansive"))
     assert made.listeners == ("Ann", "Mrs_O_Hara")
     assert made.played_by == (("Ann", "expansive"), ("Mrs_O_Hara", "default"))
     assert (made.character, made.seed, made.stillness) == ("ben", 1, 0.25)
@@ -44,14 +44,14 @@ def test_partners_listen_and_are_played_by_whom_they_are_cast() -> None:
 
 def test_listeners_have_the_profiles_of_their_parts() -> None:
     lines = [line(1, "Ann"), line(2, "BEN"), line(3, "Eve")]
-    made = options(lines[1], lines, ann=Part(profile="sparing"), ben=Part(profile="sweeping"))
+    made = options(lines[1], lines, ann=CastPart(profile="sparing"), ben=CastPart(profile="sweeping"))
     assert made.profile == "sweeping"
     assert made.listener_profiles == (("Ann", "sparing"),)
 
 
 def test_the_row_goes_before_the_cast() -> None:
     lines = [line(1, "Ann", seed=9, agitation=Level.HIGH, listeners=("Cat", "ann")), line(2, "BEN")]
-    part = Part(character="expansive", seed=3, agitation=Level.LOW, stillness=0.0, listeners=("BEN",))
+    part = CastPart(character="expansive", seed=3, agitation=Level.LOW, stillness=0.0, listeners=("BEN",))
     made = options(lines[0], lines, ann=part)
     assert (made.seed, made.agitation, made.listeners) == (9, Level.HIGH, ("Cat",))
     assert (made.character, made.stillness) == ("expansive", 0.0)
@@ -62,7 +62,7 @@ def test_the_row_goes_before_the_cast() -> None:
 
 def test_things_are_where_the_row_says_else_the_cast_else_the_command() -> None:
     told = line(1, "Ann", targets=(Target("door", (3, 1, 1)),))
-    part = Part(targets=(Target("door", (2, 1, 1)), Target("cup", (2, 1, 1))))
+    part = CastPart(targets=(Target("door", (2, 1, 1)), Target("cup", (2, 1, 1))))
     common = Options(targets=tuple(Target(name, (1, 1, 1)) for name in ("door", "cup", "moon")))
     casting = Casting.of(Cast(MappingProxyType({"ann": part})), common, OURS, [told], has_partners=True)
     targets = casting.options(Take("l1", told, Recording(Path("x.wav")))).targets

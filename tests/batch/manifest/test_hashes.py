@@ -8,14 +8,13 @@ import pytest
 from understudy.batch.manifest.hashes import input_hash, installation_hash, settings_hash
 from understudy.batch.work.audio import AudioSource
 from understudy.batch.work.formats import LineFormat
-from understudy.batch.work.jobs import LineJob, MotionForm, Target
-from understudy.model import NEUTRAL, AffectTrack, Direction, Interval, Level, Mode
-from understudy.model import Target as Place
+from understudy.batch.work.jobs import LineJob, MotionForm, OutputTarget
+from understudy.model import NEUTRAL, AffectTrack, Direction, Interval, Level, Mode, Target
 from understudy.model.edits import Edits, WordEdit, WordMark, WordReference
 from understudy.options import Options
 from understudy.settings import Settings
 
-JOB = LineJob("a", "No.", AudioSource(Path("a.wav")), Options(), (Target(LineFormat.BML, "a.bml"),))
+JOB = LineJob("a", "No.", AudioSource(Path("a.wav")), Options(), (OutputTarget(LineFormat.BML, "a.bml"),))
 
 
 @pytest.mark.parametrize(
@@ -30,9 +29,9 @@ JOB = LineJob("a", "No.", AudioSource(Path("a.wav")), Options(), (Target(LineFor
         replace(JOB, options=Options(affect=AffectTrack((0.0,), (NEUTRAL,)))),
         replace(JOB, options=Options(stillness=0.5)),
         replace(JOB, options=Options().with_edits(Edits(words=(WordEdit(WordReference(0), mark=WordMark.STILL),)))),
-        replace(JOB, options=Options(targets=(Place("door", (1.0, 1.0, 1.0)),))),
+        replace(JOB, options=Options(targets=(Target("door", (1.0, 1.0, 1.0)),))),
         replace(JOB, options=Options(listeners=("Ben",), played_by=(("Ben", "default"),))),
-        replace(JOB, targets=(Target(LineFormat.BML, "b.bml"),)),
+        replace(JOB, targets=(OutputTarget(LineFormat.BML, "b.bml"),)),
     ],
 )
 def test_what_is_a_lines_own(changed: LineJob) -> None:
@@ -49,7 +48,7 @@ def test_the_recording_counts_by_its_content_and_not_by_its_name() -> None:
     [
         replace(JOB, options=Options(mode=Mode.RANDOM)),
         replace(JOB, options=Options(lead_in_s=0.5)),
-        replace(JOB, targets=(*JOB.targets, Target(LineFormat.CTM, "a.ctm"))),
+        replace(JOB, targets=(*JOB.targets, OutputTarget(LineFormat.CTM, "a.ctm"))),
         replace(JOB, motion=MotionForm(30)),
     ],
 )

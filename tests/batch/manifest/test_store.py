@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from understudy.batch.manifest.entries import Entry, State, WrittenFile
+from understudy.batch.manifest.entries import ManifestEntry, State, WrittenFile
 from understudy.batch.manifest.hashes import KnownRecording
 from understudy.batch.manifest.store import FILE, VERSION, Manifest
 from understudy.batch.work.jobs import Failure, Measures
@@ -15,7 +15,7 @@ from understudy.errors import InputError
 from understudy.model import Notice
 
 MEASURES = Measures(1.5, 4, "low", {"negation": 1}, 1, 0, 5, 2, None)
-DONE = Entry(
+DONE = ManifestEntry(
     "b",
     1,
     3,

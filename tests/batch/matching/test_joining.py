@@ -4,21 +4,21 @@ from pathlib import Path
 
 import pytest
 
-from understudy.batch.matching.joining import Choice, Joined, join_recordings
-from understudy.batch.matching.recordings import Pattern, RecordingFile, find_recordings
+from understudy.batch.matching.joining import Joined, TakeChoice, join_recordings
+from understudy.batch.matching.recordings import RecordingFile, RecordingPattern, find_recordings
 from understudy.batch.model import ScriptLine
 from understudy.errors import InputError
 
 
 def join(
-    folder: Path, lines: list[ScriptLine], names: list[str], pattern: str = "", choice: Choice = Choice.LAST
+    folder: Path, lines: list[ScriptLine], names: list[str], pattern: str = "", choice: TakeChoice = TakeChoice.LAST
 ) -> Joined:
     for name in names:
         path = folder / "audio" / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.touch()
     files = find_recordings(folder / "audio", without=folder / "audio" / "out")
-    return join_recordings(lines, files, Pattern.of(pattern) if pattern else None, choice)
+    return join_recordings(lines, files, RecordingPattern.of(pattern) if pattern else None, choice)
 
 
 def line(name: str, recording: str = "", take: int | None = None, character: str = "") -> ScriptLine:
@@ -58,12 +58,12 @@ def test_by_a_pattern_in_which_zeros_before_a_number_do_not_count(tmp_path: Path
 @pytest.mark.parametrize(
     ("choice", "expected"),
     [
-        (Choice.LAST, {"a": "a (10).wav", "b": "b.wav"}),
-        (Choice.FIRST, {"a": "a_t2.wav", "b": "b.wav"}),
-        (Choice.ALL, {"a_t2": "a_t2.wav", "a_t3": "a take 3.wav", "a_t10": "a (10).wav", "b": "b.wav"}),
+        (TakeChoice.LAST, {"a": "a (10).wav", "b": "b.wav"}),
+        (TakeChoice.FIRST, {"a": "a_t2.wav", "b": "b.wav"}),
+        (TakeChoice.ALL, {"a_t2": "a_t2.wav", "a_t3": "a take 3.wav", "a_t10": "a (10).wav", "b": "b.wav"}),
     ],
 )
-def test_takes(choice: Choice, expected: dict[str, str], tmp_path: Path) -> None:
+def test_takes(choice: TakeChoice, expected: dict[str, str], tmp_path: Path) -> None:
     names = ["a_t2.wav", "a take 3.wav", "a (10).wav", "b.wav"]
     assert found(join(tmp_path, [line("a"), line("b")], names, choice=choice)) == expected
 
@@ -89,12 +89,12 @@ def test_what_is_there_twice_is_told(tmp_path: Path) -> None:
 @pytest.mark.parametrize("pattern", ["{name}.wav", "{id.wav", "take{take}.wav", "id.wav"])
 def test_a_pattern_that_finds_no_line_is_refused(pattern: str) -> None:
     with pytest.raises(InputError) as raised:
-        Pattern.of(pattern)
+        RecordingPattern.of(pattern)
     assert raised.value.code == "pattern_wrong"
 
 
 def test_ten_thousand_lines_are_joined_at_once(tmp_path: Path) -> None:
     lines = [line(f"scene{number // 100}_{number % 100:02}") for number in range(10_000)]
     files = [RecordingFile.of(tmp_path / f"{each.id}.wav", tmp_path) for each in lines[::2]]
-    joined = join_recordings(lines, files, Pattern.of("{id}.wav"))
+    joined = join_recordings(lines, files, RecordingPattern.of("{id}.wav"))
     assert (len(joined.takes), len(joined.missing)) == (5_000, 5_000)

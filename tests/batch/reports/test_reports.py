@@ -11,7 +11,7 @@ import pytest
 from lxml import html
 
 from understudy import batch
-from understudy.batch.manifest.entries import Entry, State, WrittenFile
+from understudy.batch.manifest.entries import ManifestEntry, State, WrittenFile
 from understudy.batch.reports.attention import PLAIN, attention, plain_words, reasons
 from understudy.batch.reports.html_report import Heading, Thumbnail, to_html
 from understudy.batch.reports.writing import in_order_of_attention, to_csv, to_index
@@ -21,7 +21,7 @@ from understudy.model import Notice
 OUT = Path("out")
 
 MEASURES = Measures(2.5, 4, "low", {"negation": 1, "emphasis": 2}, 1, 0, 5, 2, 3.5)
-FINE = Entry(
+FINE = ManifestEntry(
     "fine",
     0,
     2,
@@ -66,7 +66,9 @@ def test_the_table_is_whole_and_no_text_is_a_formula() -> None:
     assert (rows[3]["error_code"], rows[3]["duration_s"]) == ("text_empty", "")
 
 
-def page_of(*entries: Entry, thumbnails: dict[str, Thumbnail] | None = None, unit: str = "row") -> html.HtmlElement:
+def page_of(
+    *entries: ManifestEntry, thumbnails: dict[str, Thumbnail] | None = None, unit: str = "row"
+) -> html.HtmlElement:
     return html.fromstring(to_html(Heading("a<b>.csv", unit), entries, thumbnails or {}, OUT).decode())
 
 

@@ -13,7 +13,7 @@ from understudy.batch.running.dask_cluster import DaskEngine
 from understudy.batch.running.supervising import WORKER_DIED, Done, supervise
 from understudy.batch.work.audio import AudioSource
 from understudy.batch.work.formats import LineFormat
-from understudy.batch.work.jobs import LineJob, LineOutcome, Target
+from understudy.batch.work.jobs import LineJob, LineOutcome, OutputTarget
 from understudy.errors import InputError
 from understudy.options import Options
 from understudy.settings import Settings
@@ -43,7 +43,9 @@ def test_lines_are_sent_and_files_sent_back_though_a_worker_is_killed(address: s
     shutil.copy(AUDIO / "figure8.flac", recording)
     text = (AUDIO / "figure8.txt").read_text(encoding="utf-8")
     jobs = [
-        LineJob(f"l{number}", text, AudioSource(recording), Options(), (Target(LineFormat.BML, f"l{number}.bml"),))
+        LineJob(
+            f"l{number}", text, AudioSource(recording), Options(), (OutputTarget(LineFormat.BML, f"l{number}.bml"),)
+        )
         for number in range(6)
     ]
     with closing(DaskEngine(address, Settings(), shares_files=False)) as engine:

@@ -17,11 +17,10 @@ from understudy.api.workers.processes import Nursery
 from understudy.batch.running.service import ServiceEngine, require_served
 from understudy.batch.work.audio import AudioSource
 from understudy.batch.work.formats import LineFormat
-from understudy.batch.work.jobs import Failure, LineJob, Target
+from understudy.batch.work.jobs import Failure, LineJob, OutputTarget
 from understudy.batch.work.performing import perform_job
 from understudy.errors import InputError
-from understudy.model import Channel, DirectedMoment, Direction
-from understudy.model import Target as Place
+from understudy.model import Channel, DirectedMoment, Direction, Target
 from understudy.model.edits import BehaviorEdit, Edits, WordReference
 from understudy.model.formats.bml_form import BmlForm, DialectName
 from understudy.model.formats.motion_formats import MotionFormat
@@ -38,10 +37,10 @@ JOB = LineJob(
     "one",
     (AUDIO / "figure8.txt").read_text(encoding="utf-8"),
     AudioSource(AUDIO / "figure8.flac"),
-    Options(seed=3, listeners=("default",), stillness=0.1, targets=(Place("lights", (1.0, 2.0, 3.0)),)).with_edits(
+    Options(seed=3, listeners=("default",), stillness=0.1, targets=(Target("lights", (1.0, 2.0, 3.0)),)).with_edits(
         Edits(behaviors=(BehaviorEdit(add=Channel.HEAD, on=WordReference(4), lexeme="NOD"),))
     ),
-    tuple(Target(form, f"one.{form}") for form in (LineFormat.BML, LineFormat.PERFORMANCE)),
+    tuple(OutputTarget(form, f"one.{form}") for form in (LineFormat.BML, LineFormat.PERFORMANCE)),
     direction=Direction(moments=(DirectedMoment(0, 2, stroke=2, importance=3, gesture=("negation",)),)),
 )
 

@@ -8,7 +8,7 @@ import pytest
 from tests.support.operations import calls_of
 from tests.support.words.by_hand import function, movement, spoken
 from understudy.behavior.characters.overlays import Characters
-from understudy.behavior.choice.attempts import Line
+from understudy.behavior.choice.attempts import ChoiceContext
 from understudy.behavior.choice.choosing import EASILY_S, choose
 from understudy.model import Alternative, Behavior, BehaviorCandidates, Channel, Hand, Moment, Movement
 
@@ -30,7 +30,7 @@ def settled(
 ) -> tuple[list[Behavior], list[Behavior]]:
     """What is kept and what is lost, in order of time."""
     character = replace(DEFAULT, strokes_per_unit=strokes_per_unit)
-    kept, lost = choose(candidates, Line(WORDS, character, most_gestures, most_gestures))
+    kept, lost = choose(candidates, ChoiceContext(WORDS, character, most_gestures, most_gestures))
     in_time = sorted((each.behavior for each in kept), key=lambda behavior: behavior.sync.start)
     return in_time, list(lost)
 
@@ -120,7 +120,7 @@ def test_what_only_the_hands_can_show_keeps_them() -> None:
     assert lexemes(alone) == ["QUESTION"]
     words = spoken(" ".join(["word"] * 20), word_s=0.12)
     only_by_hand = between((movement("gesture_me", 5, priority=2),))
-    kept, _ = choose([both_or_nod, only_by_hand], Line(words, DEFAULT, 9, 9))
+    kept, _ = choose([both_or_nod, only_by_hand], ChoiceContext(words, DEFAULT, 9, 9))
     assert sorted(each.behavior.lexeme for each in kept) == ["ME", "NOD"]
 
 
@@ -155,10 +155,10 @@ def test_of_equals_a_gesture_that_has_its_time_goes_before_one_that_has_not() ->
     words = spoken("No I never", start_s=0.0, word_s=0.3)
     first, second = between((movement("gesture_me", 0),)), between((movement("gesture_negation", 2),))
     for asked in ((first, second), (second, first)):
-        kept, lost = choose(asked, Line(words, DEFAULT, 1, 1))
+        kept, lost = choose(asked, ChoiceContext(words, DEFAULT, 1, 1))
         assert [each.behavior.lexeme for each in kept] == ["NEGATION"]
         assert lexemes(list(lost)) == ["ME"]
-    kept, _ = choose([first], Line(words, DEFAULT, 1, 1))
+    kept, _ = choose([first], ChoiceContext(words, DEFAULT, 1, 1))
     assert [each.behavior.lexeme for each in kept] == ["ME"]
 
 
@@ -172,7 +172,7 @@ def test_twice_as_many_offers_are_twice_the_work() -> None:
         words = spoken(" ".join(["word"] * count))
         movements = ("small_nod", "gesture_me", "small_brow_raise", "shake", "gaze_aversion_downright")
         offers = [between(*(((movement(name, word),)) for name in movements)) for word in range(count)]
-        return calls_of(lambda: choose(offers, Line(words, DEFAULT, count, count)))
+        return calls_of(lambda: choose(offers, ChoiceContext(words, DEFAULT, count, count)))
 
     half, whole = work(300), work(600)
     assert whole <= 2.1 * half

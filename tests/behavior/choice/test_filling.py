@@ -6,7 +6,7 @@ import pytest
 
 from tests.support.words.by_hand import movement, spoken, utterance
 from understudy.behavior.characters.overlays import Characters
-from understudy.behavior.choice.filling import GAZE_RANGE_DEGREES, LOOK_DEGREES, LOOK_S, Rest, fillers, free
+from understudy.behavior.choice.filling import GAZE_RANGE_DEGREES, LOOK_DEGREES, LOOK_S, FillingContext, fillers, free
 from understudy.behavior.idle.saccades import TALKING
 from understudy.behavior.reading.player import Ban
 from understudy.behavior.timing.anchoring import asked
@@ -21,14 +21,14 @@ NODS = tuple(
 
 
 def filled(stillness: float = 0.0, seed: int = 0) -> list[Behavior]:
-    rest = Rest.of(utterance(WORDS), WORDS, replace(DEFAULT, stillness=stillness), f"seed {seed}")
+    rest = FillingContext.of(utterance(WORDS), WORDS, replace(DEFAULT, stillness=stillness), f"seed {seed}")
     return [each.behavior for each in fillers(NODS, rest, TALKING)]
 
 
 def test_what_is_forbidden_does_not_come_by_itself() -> None:
     turns = Ban(0, 59, frozenset({"drift_turn_left", "drift_turn_right"}), "never")
     early = Ban(0, 29, frozenset({"saccade", "look_aside"}), "never")
-    rest = Rest.of(utterance(WORDS), WORDS, DEFAULT, "seed 0", (turns, early))
+    rest = FillingContext.of(utterance(WORDS), WORDS, DEFAULT, "seed 0", (turns, early))
     found = [each.behavior for each in fillers((), rest, TALKING)]
     assert {each.lexeme for each in found if each.kind is Channel.HEAD} == {"TILT_LEFT", "TILT_RIGHT", "RAISE", "LOWER"}
     aside = [each for each in found if each.kind is Channel.GAZE]

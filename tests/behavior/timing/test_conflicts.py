@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from understudy.behavior.table.behavior_table import BriefGesture, Phase, Timing
+from understudy.behavior.table.behavior_table import BriefGesture, PhaseDuration, Timing
 from understudy.behavior.timing.anchoring import PlacedBehavior
 from understudy.behavior.timing.conflicts import compete, resolve
 from understudy.behavior.timing.phases import Placing, Window, placed
@@ -13,8 +13,14 @@ from understudy.model import Behavior, Channel, Hand
 from understudy.model.limits.gesture_limits import ArmEnds, GestureForm
 from understudy.model.tables.lexemes import GLANCE, LOOK
 
-GESTURE = Timing(Phase(0.2, 0.4), Phase(0.2, 0.4), Phase(0.0, 1.0), Phase(0.0, 0.5))
-NOD = Timing(Phase(0.0604, 0.15), Phase(0.1404, 0.3333), Phase(0, 0), Phase(0.0, 0.2), alignment=0.6)
+GESTURE = Timing(PhaseDuration(0.2, 0.4), PhaseDuration(0.2, 0.4), PhaseDuration(0.0, 1.0), PhaseDuration(0.0, 0.5))
+NOD = Timing(
+    PhaseDuration(0.0604, 0.15),
+    PhaseDuration(0.1404, 0.3333),
+    PhaseDuration(0, 0),
+    PhaseDuration(0.0, 0.2),
+    alignment=0.6,
+)
 
 
 def candidate(
@@ -198,8 +204,8 @@ FORM = GestureForm(0.3, 0.2, 1.0, {Hand.RIGHT: ArmEnds((0.15, 0.0, 0.0), (0.0, 0
 
 def asked_for(name: str, at_s: float, priority: float = 1.0) -> PlacedBehavior:
     """A gesture that may be brief."""
-    timing = replace(GESTURE, stroke=Phase(0.5, 0.5))
-    brief = BriefGesture(replace(timing, stroke=Phase(0.25, 0.25)), {Hand.RIGHT: (FORM.brief(),)})
+    timing = replace(GESTURE, stroke=PhaseDuration(0.5, 0.5))
+    brief = BriefGesture(replace(timing, stroke=PhaseDuration(0.25, 0.25)), {Hand.RIGHT: (FORM.brief(),)})
     placing = Placing(timing, at_s, at_s, stroked=True)
     sync = placed(placing, Window())
     assert sync is not None

@@ -8,13 +8,15 @@ from hypothesis import strategies as st
 
 from tests.support.motion.gesture_clips import gesture
 from tests.support.words.utterances import utterance
-from understudy.behavior.table.behavior_table import Phase, Timing
+from understudy.behavior.table.behavior_table import PhaseDuration, Timing
 from understudy.behavior.timing.phases import Placing, Window, placed, with_manner
 from understudy.model import Channel, Interval, Manner, Utterance, Word
 
-GESTURE = Timing(Phase(0.2, 0.5), Phase(0.2, 0.4), Phase(0.1, 1.0), Phase(0.1, 0.5))
-NOD = Timing(Phase(0.1, 0.2), Phase(0.2, 0.4), Phase(0, 0), Phase(0.1, 0.2), alignment=0.5)
-BROWS = Timing(Phase(0.1, 0.2), Phase(0, 0), Phase(0.2, 2.0), Phase(0.1, 0.3))
+GESTURE = Timing(PhaseDuration(0.2, 0.5), PhaseDuration(0.2, 0.4), PhaseDuration(0.1, 1.0), PhaseDuration(0.1, 0.5))
+NOD = Timing(
+    PhaseDuration(0.1, 0.2), PhaseDuration(0.2, 0.4), PhaseDuration(0, 0), PhaseDuration(0.1, 0.2), alignment=0.5
+)
+BROWS = Timing(PhaseDuration(0.1, 0.2), PhaseDuration(0, 0), PhaseDuration(0.2, 2.0), PhaseDuration(0.1, 0.3))
 
 seconds = st.floats(0, 4, allow_nan=False)
 

@@ -1,13 +1,13 @@
 import pytest
 
-from understudy.behavior.table.behavior_table import Phase, Timing
+from understudy.behavior.table.behavior_table import PhaseDuration, Timing
 from understudy.behavior.timing.anchoring import PlacedBehavior
 from understudy.behavior.timing.phases import Placing, Window, placed
 from understudy.behavior.timing.transitions import SHORTEST_HOLD_S, eased
 from understudy.model import Behavior, Channel, Hand
 from understudy.model.limits.gesture_limits import ArmEnds, GestureForm
 
-TIMING = Timing(Phase(0.2, 0.2), Phase(0.5, 0.5), Phase(0.0, 2.0), Phase(0.0, 0.0))
+TIMING = Timing(PhaseDuration(0.2, 0.2), PhaseDuration(0.5, 0.5), PhaseDuration(0.0, 2.0), PhaseDuration(0.0, 0.0))
 RIGHT = GestureForm(0.3, 0.2, 0.6, {Hand.RIGHT: ArmEnds((0.0, 0.0, 0.0), (0.3, 0.0, 0.0), (0.3, 0.0, 0.0))})
 """Back over its .3 m at .6 m/s takes .5 s."""
 

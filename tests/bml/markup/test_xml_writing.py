@@ -15,7 +15,7 @@ from understudy.bml.markup.documents import (
     Reference,
     Value,
 )
-from understudy.bml.markup.elements import BML_CORE, CORE, SMARTBODY, Attribute, Dialect, ElementKind, Kind
+from understudy.bml.markup.elements import BML_CORE, CORE, SMARTBODY, Attribute, Dialect, ElementKind, ValueKind
 from understudy.bml.markup.xml_writing import to_xml
 from understudy.bml.reading.reader import read_bml
 from understudy.model.formats.bml_form import DialectName
@@ -24,12 +24,12 @@ CHARACTERS = st.characters(exclude_categories=["Cs", "Cc"], exclude_characters="
 TEXTS = st.text(CHARACTERS, max_size=8).map(lambda text: f"a{text}")
 VALUES = TEXTS.map(lambda text: " ".join(text.split()))
 NUMBERS = st.floats(min_value=0, max_value=1e9).map(lambda number: number + 0.0)
-OF_KINDS: Mapping[Kind, st.SearchStrategy[Value]] = {
-    Kind.TEXT: VALUES,
-    Kind.NUMBER: NUMBERS,
-    Kind.SHARE: st.floats(min_value=0, max_value=1),
-    Kind.COUNT: st.integers(0, 999_999_999),
-    Kind.TIME: st.just(Reference("s", "w")),
+OF_KINDS: Mapping[ValueKind, st.SearchStrategy[Value]] = {
+    ValueKind.TEXT: VALUES,
+    ValueKind.NUMBER: NUMBERS,
+    ValueKind.SHARE: st.floats(min_value=0, max_value=1),
+    ValueKind.COUNT: st.integers(0, 999_999_999),
+    ValueKind.TIME: st.just(Reference("s", "w")),
 }
 
 
@@ -58,7 +58,7 @@ def behaviors(draw: st.DrawFn, kind: ElementKind, name: str) -> Element:
     attributes: dict[str, Value] = {}
     for key, attribute in kind.attributes.items():
         if key not in kind.syncs and (attribute.required or draw(st.booleans())):
-            attributes[key] = name if attribute.kind is Kind.ID else draw(values(attribute))
+            attributes[key] = name if attribute.kind is ValueKind.ID else draw(values(attribute))
     offsets = sorted(draw(st.lists(NUMBERS, min_size=len(kind.syncs), max_size=len(kind.syncs))))
     syncs = {sync: Reference("s", "w", offset) for sync, offset in zip(kind.syncs, offsets, strict=True)}
     attributes |= {key: value for key, value in draw(foreign()).attributes.items() if key.startswith("{")}

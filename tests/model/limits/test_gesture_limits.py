@@ -3,7 +3,7 @@
 import pytest
 
 from understudy.model import Hand, Level
-from understudy.model.figure import Manner
+from understudy.model.figure import GestureManner
 from understudy.model.limits.gesture_limits import (
     BRIEFEST_SHARE,
     EASY_TRANSITION_S,
@@ -77,7 +77,7 @@ def test_a_lexeme_that_is_not_in_the_table_has_no_forms() -> None:
 def test_who_gestures_wide_and_fast_has_strokes_and_ways_of_his_own() -> None:
     """As the realizer makes clips in a manner: times by pace, ways by space, speeds by both."""
     form = GestureForm(0.4, 0.2, 0.6, {Hand.LEFT: ArmEnds((0.1, 0.0, 0.0), (0.0, 0.2, 0.0), (0.0, 0.2, 0.0))})
-    own = form.in_manner(Manner(space=1.2, pace=1.25))
+    own = form.in_manner(GestureManner(space=1.2, pace=1.25))
     assert (own.before_s, own.after_s) == pytest.approx((0.32, 0.16))
     assert own.stroke_speed_m_s == pytest.approx(0.6 * 1.2 * 1.25)
     assert own.arms[Hand.LEFT].relax == pytest.approx((0.0, 0.24, 0.0))

@@ -13,7 +13,7 @@ from understudy.profiles.annotation.mistakes import AnnotationError
 from understudy.profiles.annotation.model import PathForm, Position, Swivel
 from understudy.profiles.annotation.reading import annotation_of, read_annotations
 from understudy.profiles.annotation.tables import write_json_tracks
-from understudy.profiles.annotation.tracks import Span, Track, rows_of, with_attribute_tracks
+from understudy.profiles.annotation.tracks import Track, TrackSpan, rows_of, with_attribute_tracks
 
 ANVIL = """<?xml version="1.0" encoding="UTF-8"?>
 <annotation><head/><body>
@@ -126,7 +126,7 @@ def test_tables_as_spreadsheets_save_them(tmp_path: Path, encoding: str, delimit
 TAGS = {"deixis.self", "deixis.addressee", "negation"}
 
 
-def _mistakes(tracks: dict[str, Track], **changed: tuple[Span, ...]) -> list[str]:
+def _mistakes(tracks: dict[str, Track], **changed: tuple[TrackSpan, ...]) -> list[str]:
     changes = {name: Track(name, spans) for name, spans in changed.items()}
     with pytest.raises(AnnotationError) as raised:
         annotation_of({**tracks, **changes}.values(), Path("x.eaf"), {"ME", "NEGATION", "YOU"}, TAGS)
@@ -149,21 +149,27 @@ def test_every_mistake_at_once_with_its_place() -> None:
 @pytest.mark.parametrize(
     ("changed", "told"),
     [
-        ({"units": (Span(0.2, 2.1, ""),)}, "x.eaf: phrases at 2.200 s: YOU lies in no unit"),
-        ({"units": (Span(0.2, 2.1, ""), Span(2.2, 3.0, ""), Span(5.0, 6.0, ""))}, "units at 5.000 s: no gesture lies"),
-        ({"phases": (Span(0.6, 0.9, "strike"),)}, "no phase is called 'strike'; did you mean 'stroke'?"),
-        ({"phrases": (Span(0.2, 0.6, "ME", {"hand": "RH"}),)}, "it has neither a stroke nor an independent hold"),
-        ({"words": (Span(1.0, 0.9, "I"),)}, "words at 1.000 s: ends at 0.900 s"),
-        ({"words": (Span(0.5, 0.9, "I"), Span(0.8, 1.0, "am"))}, "words at 0.800 s: overlaps 'I'"),
+        ({"units": (TrackSpan(0.2, 2.1, ""),)}, "x.eaf: phrases at 2.200 s: YOU lies in no unit"),
         (
-            {"units": (Span(0.2, 2.1, "at side"), Span(2.2, 3.0, "claspd"))},
+            {"units": (TrackSpan(0.2, 2.1, ""), TrackSpan(2.2, 3.0, ""), TrackSpan(5.0, 6.0, ""))},
+            "units at 5.000 s: no gesture lies",
+        ),
+        ({"phases": (TrackSpan(0.6, 0.9, "strike"),)}, "no phase is called 'strike'; did you mean 'stroke'?"),
+        ({"phrases": (TrackSpan(0.2, 0.6, "ME", {"hand": "RH"}),)}, "it has neither a stroke nor an independent hold"),
+        ({"words": (TrackSpan(1.0, 0.9, "I"),)}, "words at 1.000 s: ends at 0.900 s"),
+        ({"words": (TrackSpan(0.5, 0.9, "I"), TrackSpan(0.8, 1.0, "am"))}, "words at 0.800 s: overlaps 'I'"),
+        (
+            {"units": (TrackSpan(0.2, 2.1, "at side"), TrackSpan(2.2, 3.0, "claspd"))},
             "units at 2.200 s: hands do not rest 'claspd'",
         ),
-        ({"tags": (Span(0.5, 0.9, "negatoin"),)}, "tags at 0.500 s: no function is called 'negatoin'; did you mean"),
-        ({"phrases.hand": (Span(5.0, 5.5, "RH"),)}, "phrases.hand at 5.000 s: 'RH' is said of nothing"),
+        (
+            {"tags": (TrackSpan(0.5, 0.9, "negatoin"),)},
+            "tags at 0.500 s: no function is called 'negatoin'; did you mean",
+        ),
+        ({"phrases.hand": (TrackSpan(5.0, 5.5, "RH"),)}, "phrases.hand at 5.000 s: 'RH' is said of nothing"),
     ],
 )
-def test_contradictions(changed: dict[str, tuple[Span, ...]], told: str) -> None:
+def test_contradictions(changed: dict[str, tuple[TrackSpan, ...]], told: str) -> None:
     assert any(told in each for each in _mistakes(small_tracks(), **changed))
 
 
@@ -173,24 +179,26 @@ def test_what_is_missing_everywhere_is_one_mistake() -> None:
     [told] = _mistakes(tracks, phrases=handless)
     assert told.startswith("x.eaf: phrases: no phrase says its hand")
     tracks.pop("units")
-    assert _mistakes(tracks, words=(Span(0.5, 0.4, "I"),)) == [
+    assert _mistakes(tracks, words=(TrackSpan(0.5, 0.4, "I"),)) == [
         "x.eaf: units: the track is missing",
         "x.eaf: words at 0.500 s: ends at 0.400 s; a span starts at 0 or later, ends later",
     ]
 
 
 def test_tracks_that_say_nothing_to_us_are_named() -> None:
-    tracks = [*small_tracks().values(), Track("comments", (Span(0.0, 1.0, "coughs"),))]
+    tracks = [*small_tracks().values(), Track("comments", (TrackSpan(0.0, 1.0, "coughs"),))]
     assert annotation_of(tracks, Path("x")).unread == ("comments",)
 
 
 def test_the_words_nearest_in_time_are_meant() -> None:
     tracks = small_tracks()
-    words = [Span(float(place), place + 0.9, text) for place, text in enumerate(["to", "be", "or", "not", "to", "be"])]
-    phrases = [Span(0.2, 1.3, "ME", {"hand": "RH", "affiliate": "to be"})]
-    phrases += [Span(2.2, 2.6, "YOU", {"hand": "RH", "affiliate": "To be!"})]
+    words = [
+        TrackSpan(float(place), place + 0.9, text) for place, text in enumerate(["to", "be", "or", "not", "to", "be"])
+    ]
+    phrases = [TrackSpan(0.2, 1.3, "ME", {"hand": "RH", "affiliate": "to be"})]
+    phrases += [TrackSpan(2.2, 2.6, "YOU", {"hand": "RH", "affiliate": "To be!"})]
     changed = {"words": Track("words", tuple(words)), "phrases": Track("phrases", tuple(phrases))}
-    changed["phases"] = Track("phases", (Span(0.6, 0.9, "stroke"), Span(2.4, 2.6, "stroke")))
+    changed["phases"] = Track("phases", (TrackSpan(0.6, 0.9, "stroke"), TrackSpan(2.4, 2.6, "stroke")))
     found = annotation_of({**tracks, **changed, "tags": Track("tags", ())}.values(), Path("x"))
     assert [phrase.affiliate for phrase in found.phrases] == [(0, 1), (4, 5)]
 

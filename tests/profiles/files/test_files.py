@@ -13,7 +13,7 @@ from understudy.profiles.files.writing import profile_yaml
 from understudy.profiles.learning.learning import learn
 from understudy.realizer.arms.rest_poses import LAPS, LIFTED
 from understudy.realizer.arms.rest_poses import RESTS as POSES
-from understudy.realizer.gestures.gesture import Depth, Height, Sideways
+from understudy.realizer.gestures.gesture import Depth, HeightSector, Sideways
 
 SMALL = """\
 description: "Nobody."
@@ -86,6 +86,6 @@ def test_rests_and_places_are_checked(tmp_path: Path) -> None:
 
 def test_words_are_those_of_the_realizer() -> None:
     assert tuple(Sideways) == SIDEWAYS
-    assert tuple(Height) == HEIGHTS
+    assert tuple(HeightSector) == HEIGHTS
     assert tuple(Depth) == DEPTHS
     assert set(RESTS) == set(POSES) - {*LAPS, LIFTED}  # between ideas, by level: not for authors to choose

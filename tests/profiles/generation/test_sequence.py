@@ -9,15 +9,15 @@ import pytest
 from tests.support.words.scripted import habit, line, profile, repertoire
 from understudy.model import Hand
 from understudy.profiles.annotation.model import TaggedWords
-from understudy.profiles.generation.candidates import Place, places_of
+from understudy.profiles.generation.candidates import StrokeWord, places_of
 from understudy.profiles.generation.sequence import APART_S, drawn_gestures, drawn_hands
 from understudy.profiles.profile import Profile
 
 TAG = TaggedWords("x", 0, 0)
 
 
-def _places(number: int, weights: dict[str, float], *, step_s: float = 0.5) -> list[Place]:
-    return [Place(each, each * step_s, 0, weights, dict.fromkeys(weights, TAG)) for each in range(number)]
+def _places(number: int, weights: dict[str, float], *, step_s: float = 0.5) -> list[StrokeWord]:
+    return [StrokeWord(each, each * step_s, 0, weights, dict.fromkeys(weights, TAG)) for each in range(number)]
 
 
 def _profile(**shares: float) -> Profile:

@@ -10,7 +10,7 @@ from understudy.models import Understudy
 from understudy.profiles.annotation.elan import write_elan
 from understudy.profiles.annotation.mistakes import AnnotationError
 from understudy.profiles.annotation.reading import annotation_of, read_annotations
-from understudy.profiles.annotation.tracks import Span, Track, rows_of, with_attribute_tracks
+from understudy.profiles.annotation.tracks import Track, TrackSpan, rows_of, with_attribute_tracks
 from understudy.profiles.proposing.bvh import WristPaths, read_wrists
 from understudy.profiles.proposing.phases import proposed_units
 from understudy.profiles.proposing.proposing import UNKNOWN, proposed_tracks
@@ -47,7 +47,7 @@ def test_a_hand_that_passes_its_rest_ends_a_unit_there() -> None:
     """Up, and in one movement from as far above its rest to as far below: the units meet where it passes, at 3.25 s."""
     right = _path([(1.0, 0.0), (1.5, 0.4), (3.0, 0.4), (3.5, -0.4), (5.0, -0.4), (5.5, 0.0)], 9.0)
     tracks = proposed_tracks(proposed_units(WristPaths(RATE_HZ, np.zeros_like(right), right)))
-    words = Track("words", (Span(0.0, 9.0, "oh"),))
+    words = Track("words", (TrackSpan(0.0, 9.0, "oh"),))
     up, down = annotation_of((words, *tracks[1:]), Path("x")).units
     assert (up.interval.end_s, down.interval.start_s) == pytest.approx((3.25, 3.25), abs=0.03)
 
@@ -91,7 +91,7 @@ def test_wrists_are_where_the_skeleton_has_them(understudy: Understudy) -> None:
 def test_what_is_proposed_is_an_annotation_to_be_named(tmp_path: Path) -> None:
     right = _path([(2.0, 0.0), (2.4, 0.4), (2.4, 0.4), (2.7, 0.2), (3.2, 0.2), (3.8, 0.0)], 6.0)
     units = proposed_units(WristPaths(RATE_HZ, np.zeros_like(right), right))
-    words = Track("words", (Span(2.0, 2.5, "oh"), Span(2.5, 3.0, "no")))
+    words = Track("words", (TrackSpan(2.0, 2.5, "oh"), TrackSpan(2.5, 3.0, "no")))
     tracks = proposed_tracks(units, (words,))
     [phrase] = annotation_of(tracks, Path("x")).phrases
     assert (phrase.lexeme, phrase.hand, phrase.affiliate) == (UNKNOWN, Hand.RIGHT, (1, 1))

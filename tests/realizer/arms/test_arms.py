@@ -10,11 +10,11 @@ from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.geometry.rotations import angle_between
 from understudy.realizer.gestures.arm_joints import PARTS
-from understudy.realizer.gestures.gesture import ArmKey, Depth, HandForm, HandShape, Height, Place, Sideways
+from understudy.realizer.gestures.gesture import ArmKey, Depth, HandForm, HandShape, HeightSector, SectorPlace, Sideways
 
 BODY = Skeleton.standing()
-UP = Place(Sideways.C, Height.UPPER_C, Depth.MIDDLE)
-DOWN = Place(Sideways.C, Height.LOWER_C, Depth.MIDDLE)
+UP = SectorPlace(Sideways.C, HeightSector.UPPER_C, Depth.MIDDLE)
+DOWN = SectorPlace(Sideways.C, HeightSector.LOWER_C, Depth.MIDDLE)
 TIMES_S: FloatArray = np.arange(0.0, 4.0, 1 / 60)
 JOINTS = [part for part in PARTS if part != "Elbow"]
 
@@ -23,7 +23,7 @@ def rest() -> PartialPose:
     return rest_pose(BODY, Hand.RIGHT, "at_side").as_partial()
 
 
-def pose(place: Place, hand: HandForm | None = HandForm.FLAT) -> PartialPose:
+def pose(place: SectorPlace, hand: HandForm | None = HandForm.FLAT) -> PartialPose:
     return pose_arm(BODY, Hand.RIGHT, ArmKey(place, None if hand is None else HandShape(hand)))
 
 
@@ -61,7 +61,7 @@ def test_movement_passes_from_the_shoulder_to_the_fingers_within_nine_frames() -
         Hand.RIGHT,
         (
             TimedPose(0.2, rest()),
-            TimedPose(1.2, pose(Place(Sideways.P, Height.UPPER_EP, Depth.MIDDLE), HandForm.FIST)),
+            TimedPose(1.2, pose(SectorPlace(Sideways.P, HeightSector.UPPER_EP, Depth.MIDDLE), HandForm.FIST)),
             TimedPose(2.4, rest()),
         ),
     )

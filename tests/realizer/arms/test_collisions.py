@@ -14,21 +14,30 @@ from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton
 from understudy.realizer.geometry.rotations import IDENTITY, angle_between
 from understudy.realizer.gestures.arm_joints import arm_joints
-from understudy.realizer.gestures.gesture import ArmKey, Depth, HandForm, HandShape, Height, Place, Sideways, Wrist
+from understudy.realizer.gestures.gesture import (
+    ArmKey,
+    Depth,
+    HandForm,
+    HandShape,
+    HeightSector,
+    SectorPlace,
+    Sideways,
+    Wrist,
+)
 
 BODY = Skeleton.standing()
 RATE_HZ = 60
 TIMES_S: FloatArray = np.arange(0.0, 3.0, 1 / RATE_HZ)
-INSIDE = Place(Sideways.CC, Height.LOWER_C, Depth.NEAR, (0.0, 0.0, -0.12))
-BEFORE = Place(Sideways.P, Height.CC, Depth.FAR)
-MIDDLE = Place(Sideways.CC, Height.CC, Depth.MIDDLE, (-0.06, 0.0, 0.0))
+INSIDE = SectorPlace(Sideways.CC, HeightSector.LOWER_C, Depth.NEAR, (0.0, 0.0, -0.12))
+BEFORE = SectorPlace(Sideways.P, HeightSector.CC, Depth.FAR)
+MIDDLE = SectorPlace(Sideways.CC, HeightSector.CC, Depth.MIDDLE, (-0.06, 0.0, 0.0))
 
 
 def rest(side: Hand, name: str = "at_side") -> PartialPose:
     return rest_pose(BODY, side, name).as_partial()
 
 
-def moving(*keys: tuple[Hand, Place]) -> BodyMotion:
+def moving(*keys: tuple[Hand, SectorPlace]) -> BodyMotion:
     """Each arm from its side to a place, held from 1 to 1.6 s, and back."""
     rotations = np.tile(IDENTITY, (len(TIMES_S), len(BODY.names), 1))
     places = dict(keys)
@@ -55,7 +64,9 @@ def deepest_m(body: BodyMotion) -> float:
     ],
     ids=["left", "right", "one of two", "each other"],
 )
-def test_hands_that_would_be_inside_something_are_kept_out_without_a_jump(keys: tuple[tuple[Hand, Place], ...]) -> None:
+def test_hands_that_would_be_inside_something_are_kept_out_without_a_jump(
+    keys: tuple[tuple[Hand, SectorPlace], ...],
+) -> None:
     body = moving(*keys)
     assert deepest_m(body) > 0.02
     cleared, decisions = resolve_collisions(BODY, body)
@@ -88,7 +99,9 @@ def test_a_joint_past_its_limit_is_brought_back() -> None:
 def test_what_cannot_be_cleared_without_a_jump_is_told() -> None:
     """A hand that is through the belly for a sixth of a second cannot be before it in time."""
     body = moving((Hand.LEFT, BEFORE))
-    behind = pose_arm(BODY, Hand.LEFT, ArmKey(Place(Sideways.OPP_P, Height.LOWER_P, Depth.NEAR, (0.0, 0.0, -0.35))))
+    behind = pose_arm(
+        BODY, Hand.LEFT, ArmKey(SectorPlace(Sideways.OPP_P, HeightSector.LOWER_P, Depth.NEAR, (0.0, 0.0, -0.35)))
+    )
     start = rest(Hand.LEFT)
     track = (TimedPose(0.0, start), TimedPose(1.0, start), TimedPose(1.12, behind.over(start)), TimedPose(1.24, start))
     through = body.rotations.copy()
@@ -101,7 +114,7 @@ def test_what_cannot_be_cleared_without_a_jump_is_told() -> None:
 
 
 @pytest.mark.parametrize("keys", [((Hand.LEFT, INSIDE),), ((Hand.LEFT, MIDDLE), (Hand.RIGHT, MIDDLE))])
-def test_no_frame_in_which_a_hand_is_inside_something_is_overlooked(keys: tuple[tuple[Hand, Place], ...]) -> None:
+def test_no_frame_in_which_a_hand_is_inside_something_is_overlooked(keys: tuple[tuple[Hand, SectorPlace], ...]) -> None:
     body = moving(*keys)
     everywhere, looked_at = depths_m(BODY, body.rotations, body.hips_m), depths_where_near_m(BODY, body)
     assert np.maximum(looked_at, 0.0) == pytest.approx(np.maximum(everywhere, 0.0), abs=1e-12)

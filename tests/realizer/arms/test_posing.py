@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from understudy.model import FloatArray, Hand
-from understudy.model.figure import Manner
+from understudy.model.figure import GestureManner
 from understudy.realizer.arms.arm_reach import ArmBones
 from understudy.realizer.arms.posing import WRIST_ROWS, arm_rotations, parts_of, pose_arm, pose_arms, wrist_of
 from understudy.realizer.arms.rest_poses import rest_pose
@@ -18,12 +18,12 @@ from understudy.realizer.gestures.gesture import (
     ArmKey,
     Bend,
     Depth,
-    Direction,
     Finger,
+    HandDirection,
     HandForm,
     HandShape,
-    Height,
-    Place,
+    HeightSector,
+    SectorPlace,
     Sideways,
     Wrist,
 )
@@ -31,11 +31,11 @@ from understudy.realizer.gestures.gesture_space import sector_m
 
 BODY = Skeleton.standing()
 EASY = rest_pose(BODY, Hand.LEFT, "open").as_partial()
-SECTORS = [Place(*sector) for sector in product(Sideways, Height, Depth)]
-LOW = (Height.LOWER_P, Height.LOWER_EP)
-FORWARD = Place(Sideways.C, Height.UPPER_C, Depth.FAR)
-POINTING = Place(Sideways.C, Height.UPPER_P, Depth.FAR, (0.0, 0.0, 0.2))
-STOP = Wrist(frozenset({Direction.UP}), frozenset({Direction.AWAY}))
+SECTORS = [SectorPlace(*sector) for sector in product(Sideways, HeightSector, Depth)]
+LOW = (HeightSector.LOWER_P, HeightSector.LOWER_EP)
+FORWARD = SectorPlace(Sideways.C, HeightSector.UPPER_C, Depth.FAR)
+POINTING = SectorPlace(Sideways.C, HeightSector.UPPER_P, Depth.FAR, (0.0, 0.0, 0.2))
+STOP = Wrist(frozenset({HandDirection.UP}), frozenset({HandDirection.AWAY}))
 
 
 def whole(left: FloatArray | None = None, right: FloatArray | None = None) -> FloatArray:
@@ -71,8 +71,8 @@ def test_wrists_reach_nearly_every_sector_above_the_hips() -> None:
     assert np.mean(np.array(near) < 0.02) > 0.75
 
 
-@pytest.mark.parametrize("place", [FORWARD, Place(Sideways.OPP_C, Height.LOWER_C, Depth.MIDDLE)])
-def test_the_right_arm_mirrors_the_left(place: Place) -> None:
+@pytest.mark.parametrize("place", [FORWARD, SectorPlace(Sideways.OPP_C, HeightSector.LOWER_C, Depth.MIDDLE)])
+def test_the_right_arm_mirrors_the_left(place: SectorPlace) -> None:
     key = ArmKey(place, HandShape(HandForm.INDEX), wrist=STOP, shoulder=0.5)
     left, right = (placed(complete(key, side), side)[0] for side in (Hand.LEFT, Hand.RIGHT))
     for joint in arm_joints(Hand.LEFT):
@@ -80,7 +80,7 @@ def test_the_right_arm_mirrors_the_left(place: Place) -> None:
 
 
 def test_no_joint_passes_its_limit_in_any_sector_however_the_hand_is_held() -> None:
-    directions = [frozenset({direction}) for direction in Direction]
+    directions = [frozenset({direction}) for direction in HandDirection]
     wrists = [Wrist(base, palm) for base, palm in product(directions, directions) if axis(base) != axis(palm)]
     chance = np.random.default_rng(1)
     arms = [
@@ -91,14 +91,19 @@ def test_no_joint_passes_its_limit_in_any_sector_however_the_hand_is_held() -> N
     assert {LIMITS[limit].joints for limit in np.nonzero(passed)[1]} == set()
 
 
-def axis(directions: frozenset[Direction]) -> int:
-    return list(Direction).index(next(iter(directions))) // 2
+def axis(directions: frozenset[HandDirection]) -> int:
+    return list(HandDirection).index(next(iter(directions))) // 2
 
 
 @pytest.mark.parametrize(
-    "place", [FORWARD, Place(Sideways.P, Height.UPPER_P, Depth.MIDDLE), Place(Sideways.C, Height.UPPER_P, Depth.NEAR)]
+    "place",
+    [
+        FORWARD,
+        SectorPlace(Sideways.P, HeightSector.UPPER_P, Depth.MIDDLE),
+        SectorPlace(Sideways.C, HeightSector.UPPER_P, Depth.NEAR),
+    ],
 )
-def test_a_hand_that_stops_somebody_does_so_wherever_the_arm_is(place: Place) -> None:
+def test_a_hand_that_stops_somebody_does_so_wherever_the_arm_is(place: SectorPlace) -> None:
     _, orientation = placed(complete(ArmKey(place, wrist=STOP)))
     hand = orientation[BODY.index["leftHand"]]
     assert np.dot(rotate(hand, np.array([1.0, 0.0, 0.0])), [0, 1, 0]) > np.cos(np.radians(25))
@@ -136,13 +141,13 @@ def test_fixed_joints_go_over_what_else_is_said_and_mirror() -> None:
 
 
 def test_keys_together_say_what_each_says_alone() -> None:
-    up = frozenset({Direction.UP})
+    up = frozenset({HandDirection.UP})
     keys = [
         ArmKey(FORWARD, wrist=STOP),
         ArmKey(hand=HandShape(HandForm.FIST)),
         ArmKey(FORWARD, wrist=Wrist(palm=up), shoulder=1.0),
         ArmKey(wrist=Wrist(finger_base=up)),
-        ArmKey(Place(Sideways.OPP_C, Height.CC, Depth.NEAR), joints=(("Hand", (0.0, 0.0, 5.0)),)),
+        ArmKey(SectorPlace(Sideways.OPP_C, HeightSector.CC, Depth.NEAR), joints=(("Hand", (0.0, 0.0, 5.0)),)),
     ]
     for key, together in zip(keys, pose_arms(BODY, Hand.RIGHT, keys, amplitude=1.1), strict=True):
         alone = pose_arm(BODY, Hand.RIGHT, key, amplitude=1.1)
@@ -164,15 +169,15 @@ def test_a_pointing_hand_is_on_the_line_to_its_target(aim_m: tuple[float, float,
 
 
 def test_a_manner_turns_elbows_out_and_bends_hands_back() -> None:
-    key = ArmKey(place=Place(Sideways.C, Height.CC, Depth.MIDDLE), wrist=Wrist())
+    key = ArmKey(place=SectorPlace(Sideways.C, HeightSector.CC, Depth.MIDDLE), wrist=Wrist())
     close, plain, wide = (
         placed(arm_rotations(pose_arm(BODY, Hand.LEFT, key, manner=manner).over(EASY).parts))[0]
-        for manner in (Manner(elbow_deg=-20), Manner(), Manner(elbow_deg=30))
+        for manner in (GestureManner(elbow_deg=-20), GestureManner(), GestureManner(elbow_deg=30))
     )
     elbow, wrist = BODY.chain("leftLowerArm", "leftHand")
     assert close[elbow, 0] < plain[elbow, 0] - 0.02 < wide[elbow, 0] - 0.06
     assert np.allclose(close[wrist], wide[wrist], atol=0.002), "the hand is where it was"
-    straight, bent = (pose_arm(BODY, Hand.LEFT, key, manner=Manner(wrist_deg=deg)).parts[4] for deg in (0, 15))
+    straight, bent = (pose_arm(BODY, Hand.LEFT, key, manner=GestureManner(wrist_deg=deg)).parts[4] for deg in (0, 15))
     assert np.degrees(angle_between(straight, bent)) == pytest.approx(15.0)
-    limit = pose_arm(BODY, Hand.LEFT, ArmKey(place=key.place, wrist=STOP), manner=Manner(wrist_deg=20))
+    limit = pose_arm(BODY, Hand.LEFT, ArmKey(place=key.place, wrist=STOP), manner=GestureManner(wrist_deg=20))
     assert not violations(BODY, whole(arm_rotations(limit.over(EASY).parts))).any()

@@ -10,7 +10,7 @@ from understudy.realizer.body.contacts import LIMBS, PAIRS, PosedBody, contacts,
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.geometry.rotations import IDENTITY
 from understudy.realizer.gestures.arm_joints import arm_joints
-from understudy.realizer.gestures.gesture import ArmKey, Depth, Height, Place, Sideways
+from understudy.realizer.gestures.gesture import ArmKey, Depth, HeightSector, SectorPlace, Sideways
 
 BODY = Skeleton.standing()
 
@@ -18,7 +18,7 @@ BODY = Skeleton.standing()
 def at(offset_m: tuple[float, float, float]) -> FloatArray:
     """The left hand before the belly, moved by an offset, the right at its side."""
     rotations = np.tile(IDENTITY, (1, len(BODY.names), 1))
-    key = ArmKey(Place(Sideways.CC, Height.LOWER_C, Depth.NEAR, offset_m))
+    key = ArmKey(SectorPlace(Sideways.CC, HeightSector.LOWER_C, Depth.NEAR, offset_m))
     for side in (Hand.LEFT, Hand.RIGHT):
         pose = rest_pose(BODY, side, "at_side").as_partial()
         pose = pose_arm(BODY, side, key).over(pose) if side is Hand.LEFT else pose

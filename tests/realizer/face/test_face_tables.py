@@ -6,7 +6,7 @@ import pytest
 
 from tests.support.words.speaking import TABLES
 from understudy.errors import AuthoringError
-from understudy.realizer.face.face_tables import COLUMNS, INDEX, VISEMES, FaceTables, Side, sided
+from understudy.realizer.face.face_tables import COLUMNS, INDEX, VISEMES, FaceSide, FaceTables, sided
 
 FILE = Path(__file__).resolve().parents[3] / "lexicon" / "face.yaml"
 
@@ -38,7 +38,7 @@ def test_the_units_of_the_fifty_two_shapes_are_there() -> None:
 
 
 def test_one_side_leaves_the_other_alone_and_halves_what_has_no_side() -> None:
-    left = sided(TABLES.lexemes["RAISE_BROWS"], Side.LEFT)
+    left = sided(TABLES.lexemes["RAISE_BROWS"], FaceSide.LEFT)
     assert left[INDEX["browOuterUpLeft"]] == 1
     assert left[INDEX["browOuterUpRight"]] == 0
     assert left[INDEX["browInnerUp"]] == 0.5

@@ -9,7 +9,7 @@ from understudy.authoring.catalogue import load_gestures
 from understudy.bml.writing.smartbody_tables import shipped_tables
 from understudy.errors import AuthoringError, InputError
 from understudy.model import Hand, Level
-from understudy.model.figure import Manner
+from understudy.model.figure import GestureManner
 from understudy.realizer.gestures.library import LAST_RESORT, Library
 
 
@@ -128,7 +128,9 @@ def test_every_alias_is_found_however_it_is_spelt() -> None:
 def test_a_manner_makes_every_gesture_larger_and_faster_and_leaves_the_library_as_it_is(tmp_path: Path) -> None:
     found = library(tmp_path, gesture("CATEGORY BEAT", name="one"))
     (plain,) = found.clips("BEAT", Level.MEDIUM, Hand.LEFT)
-    (lively,) = found.in_manner(Manner(space=1.2, pace=1.25, elbow_deg=10)).clips("BEAT", Level.MEDIUM, Hand.LEFT)
+    (lively,) = found.in_manner(GestureManner(space=1.2, pace=1.25, elbow_deg=10)).clips(
+        "BEAT", Level.MEDIUM, Hand.LEFT
+    )
     assert lively.expressivity.amplitude == pytest.approx(1.2 * plain.expressivity.amplitude)
     assert lively.markers.end == pytest.approx(plain.markers.end / 1.25)
     assert lively.stroke_speed_m_s == pytest.approx(1.2 * 1.25 * plain.stroke_speed_m_s)

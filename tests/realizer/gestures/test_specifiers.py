@@ -10,13 +10,13 @@ from understudy.realizer.gestures.gesture import (
     ArmKey,
     Bend,
     Depth,
-    Direction,
     Finger,
+    HandDirection,
     HandForm,
     HandShape,
-    Height,
+    HeightSector,
     KeyCurve,
-    Place,
+    SectorPlace,
     Sideways,
     Thumb,
     Wrist,
@@ -47,10 +47,10 @@ def test_every_channel_of_a_frame(tmp_path: Path) -> None:
         "JOINT IndexDistal 0 0 90",
     )
     assert said == ArmKey(
-        place=Place(Sideways.OPP_C, Height.UPPER_EP, Depth.FAR, (0.02, -0.05, 0.0)),
+        place=SectorPlace(Sideways.OPP_C, HeightSector.UPPER_EP, Depth.FAR, (0.02, -0.05, 0.0)),
         hand=HandShape(HandForm.TWO_APART, Thumb.ACROSS),
         fingers=((Finger.RING, Bend.CLOSED), (Finger.INDEX, Bend.STRAIGHT)),
-        wrist=Wrist(frozenset({Direction.UP, Direction.AWAY}), frozenset({Direction.INWARDS})),
+        wrist=Wrist(frozenset({HandDirection.UP, HandDirection.AWAY}), frozenset({HandDirection.INWARDS})),
         shoulder=-0.5,
         joints=(("LowerArm", (0.0, -80.0, 10.0)), ("IndexDistal", (0.0, 0.0, 90.0))),
     )
@@ -82,16 +82,16 @@ def test_the_wrist_as_the_forearm_has_it(tmp_path: Path) -> None:
     assert key(tmp_path, "WRIST FBDefault PalmDefault").wrist == Wrist()
 
 
-@pytest.mark.parametrize("base", Direction)
-def test_the_palm_is_at_a_right_angle_to_the_fingers(tmp_path: Path, base: Direction) -> None:
+@pytest.mark.parametrize("base", HandDirection)
+def test_the_palm_is_at_a_right_angle_to_the_fingers(tmp_path: Path, base: HandDirection) -> None:
     """Of the six directions four are: not the finger base's own, and not its opposite (Gesture Engine §4.3)."""
     axes = [{"Up", "Down"}, {"Inwards", "Outwards"}, {"Away", "Towards"}]
-    for palm in Direction:
+    for palm in HandDirection:
         text = f"WRIST FB{base} Palm{palm}"
         if any({base, palm} <= axis for axis in axes):
             column, told = message(tmp_path, text)
             assert column == len(f"WRIST FB{base} ") + 1
-            fitting = [f"Palm{one}" for one in Direction if orthogonal({base}, {one})]
+            fitting = [f"Palm{one}" for one in HandDirection if orthogonal({base}, {one})]
             assert f"right would be {', '.join(fitting)}" in told
             assert len(fitting) == 4
         else:
@@ -99,11 +99,11 @@ def test_the_palm_is_at_a_right_angle_to_the_fingers(tmp_path: Path, base: Direc
 
 
 def test_sums_of_directions_are_orthogonal_when_their_product_is_zero() -> None:
-    up, down, away = Direction.UP, Direction.DOWN, Direction.AWAY
+    up, down, away = HandDirection.UP, HandDirection.DOWN, HandDirection.AWAY
     assert orthogonal({up, away}, {down, away})
-    assert orthogonal({up, away}, {Direction.INWARDS})
+    assert orthogonal({up, away}, {HandDirection.INWARDS})
     assert not orthogonal({up, away}, {away})
-    assert not orthogonal({up, away, Direction.INWARDS}, {down, away, Direction.INWARDS})
+    assert not orthogonal({up, away, HandDirection.INWARDS}, {down, away, HandDirection.INWARDS})
 
 
 @pytest.mark.parametrize(

@@ -18,17 +18,17 @@ from understudy.realizer.gestures.gesture import (
     Bend,
     Definition,
     Depth,
-    Direction,
     Expressivity,
     Finger,
     Frame,
     FrameType,
+    HandDirection,
     HandForm,
     HandShape,
-    Height,
+    HeightSector,
     KeyCurve,
     OffsetTrack,
-    Place,
+    SectorPlace,
     Sideways,
     Thumb,
     TrackForm,
@@ -57,9 +57,9 @@ DEGREES = number(-MAX_DEGREES, MAX_DEGREES)
 SUMS = [
     frozenset(one for one in parts if one is not None)
     for parts in product(
-        (None, Direction.UP, Direction.DOWN),
-        (None, Direction.INWARDS, Direction.OUTWARDS),
-        (None, Direction.AWAY, Direction.TOWARDS),
+        (None, HandDirection.UP, HandDirection.DOWN),
+        (None, HandDirection.INWARDS, HandDirection.OUTWARDS),
+        (None, HandDirection.AWAY, HandDirection.TOWARDS),
     )
 ]
 WRISTS = [Wrist(base, palm) for base, palm in product(SUMS, SUMS) if orthogonal(base, palm)]
@@ -69,9 +69,9 @@ HANDS = [
     if thumb is Thumb.DEFAULT or form not in THUMB_IN_FORM
 ]
 PLACES = st.builds(
-    Place,
+    SectorPlace,
     st.sampled_from(Sideways),
-    st.sampled_from(Height),
+    st.sampled_from(HeightSector),
     st.sampled_from(Depth),
     st.tuples(OFFSETS, OFFSETS, OFFSETS),
 )
@@ -157,7 +157,7 @@ def test_the_library_is_read_back() -> None:
 
 
 def test_what_cannot_be_said_is_refused() -> None:
-    leading = ArmKey(place=Place(Sideways.C, Height.CC, Depth.NEAR), shoulder=1.0)
+    leading = ArmKey(place=SectorPlace(Sideways.C, HeightSector.CC, Depth.NEAR), shoulder=1.0)
     frames = tuple(Frame(time, FrameType.STROKE, leading, ArmKey(shoulder=0.5)) for time in (0.0, 1.0))
     one = Definition("beat", "one", ("BEAT",), 1.0, frames, {Level.LOW: Expressivity()}, Hand.BOTH)
     with pytest.raises(ValueError, match="at 0 the other arm leaves open what the leading arm says"):
@@ -167,7 +167,7 @@ def test_what_cannot_be_said_is_refused() -> None:
 @pytest.mark.parametrize("offset_m", [1e-07, 0.1 + 0.1 + 0.1 - 0.2])
 def test_numbers_keep_their_value(offset_m: float) -> None:
     """The language has no powers of ten."""
-    place = Place(Sideways.C, Height.CC, Depth.NEAR, (offset_m, 0.0, 0.0))
+    place = SectorPlace(Sideways.C, HeightSector.CC, Depth.NEAR, (offset_m, 0.0, 0.0))
     frames = (Frame(0.0, FrameType.STROKE, ArmKey(place=place)), Frame(1.0, FrameType.STROKE, ArmKey()))
     one = Definition("beat", "one", ("BEAT",), 1.0, frames, {Level.LOW: Expressivity()}, path=PATH)
     assert read_back(write_gesture(one)) == [one]

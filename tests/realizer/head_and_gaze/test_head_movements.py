@@ -10,7 +10,7 @@ from understudy.model import Channel
 from understudy.realizer.head_and_gaze.head_movements import (
     FASTEST_WAVE_RAD_S,
     MOVEMENTS,
-    Course,
+    MovementTimes,
     course_of,
     cycle_count,
     limited_speed,
@@ -39,7 +39,7 @@ def test_waves_have_an_extreme_at_the_stroke_wherever_it_is(lexeme: str, stroke_
 
 def test_a_movement_without_the_time_for_it_begins_earlier_or_ends_later() -> None:
     usual = behavior(Channel.HEAD, "TILT_LEFT", 1.0, 1.2, 1.2, 1.4, 1.6, 2.4, 2.8)
-    assert course_of(usual) == Course(1.0, 1.4, 2.4, 2.8)
+    assert course_of(usual) == MovementTimes(1.0, 1.4, 2.4, 2.8)
     cut = course_of(behavior(Channel.HEAD, "TILT_LEFT", 1.0, 1.0, 1.0, 1.0, 1.0, 2.4, 2.4))
     assert (cut.stroke_s, cut.relax_s) == (1.0, 2.4)
     assert cut.start_s == pytest.approx(0.74)

@@ -5,10 +5,10 @@ from collections import Counter
 import numpy as np
 import pytest
 
-from understudy.realizer.mannequin.surface import Capsule, mesh
+from understudy.realizer.mannequin.surface import SkinnedCapsule, mesh
 
-BALL = Capsule("hips", (0.1, 0.2, 0.3), (0.1, 0.2, 0.3), 0.05, 0.05)
-ROD = Capsule("hips", (0.0, 0.0, 0.0), (0.3, 0.0, 0.0), 0.04, 0.03)
+BALL = SkinnedCapsule("hips", (0.1, 0.2, 0.3), (0.1, 0.2, 0.3), 0.05, 0.05)
+ROD = SkinnedCapsule("hips", (0.0, 0.0, 0.0), (0.3, 0.0, 0.0), 0.04, 0.03)
 
 
 def test_a_ball_is_round_and_its_normals_point_out() -> None:
@@ -19,7 +19,7 @@ def test_a_ball_is_round_and_its_normals_point_out() -> None:
 
 
 @pytest.mark.parametrize("capsules", [(BALL,), (ROD,), (ROD, BALL)])
-def test_surfaces_are_closed_and_their_triangles_face_outwards(capsules: tuple[Capsule, ...]) -> None:
+def test_surfaces_are_closed_and_their_triangles_face_outwards(capsules: tuple[SkinnedCapsule, ...]) -> None:
     surface = mesh(capsules, blend_m=0.005, grid_m=0.015)
     directed = Counter(
         (int(triangle[k]), int(triangle[(k + 1) % 3])) for triangle in surface.triangles for k in range(3)
@@ -31,7 +31,7 @@ def test_surfaces_are_closed_and_their_triangles_face_outwards(capsules: tuple[C
 
 
 def test_neighbours_melt_into_one_surface_wider_than_either() -> None:
-    beside = (ROD, Capsule("hips", (0.3, 0.0, 0.0), (0.3, 0.3, 0.0), 0.03, 0.03))
+    beside = (ROD, SkinnedCapsule("hips", (0.3, 0.0, 0.0), (0.3, 0.3, 0.0), 0.03, 0.03))
     surface = mesh(beside, blend_m=0.01, grid_m=0.015)
     inner_corner = np.linalg.norm(surface.positions_m - [0.27, 0.03, 0.0], axis=1).min()
     assert inner_corner > 0.003

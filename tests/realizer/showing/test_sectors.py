@@ -11,7 +11,7 @@ from understudy.model import FloatArray
 from understudy.models import Understudy
 from understudy.realization import PreparedSchedule, Realized, realize_prepared
 from understudy.realizer.body.skeleton import Skeleton, forward
-from understudy.realizer.gestures.gesture import Depth, Height, Place, Sideways
+from understudy.realizer.gestures.gesture import Depth, HeightSector, SectorPlace, Sideways
 from understudy.realizer.gestures.gesture_space import sector_m
 from understudy.schemas.gestures.script import read_script
 
@@ -47,7 +47,7 @@ def _wrists_m(played: Realized) -> FloatArray:
 
 def _sector_m(told: str) -> FloatArray:
     across, height, depth = told.split()
-    return sector_m(Place(Sideways(across), Height(height), Depth(depth)))
+    return sector_m(SectorPlace(Sideways(across), HeightSector(height), Depth(depth)))
 
 
 @pytest.mark.parametrize(

@@ -8,13 +8,13 @@ from understudy.rules.language.language import parse_rules, read_rules
 from understudy.rules.language.tree import (
     Alternatives,
     Atom,
-    Choice,
+    ChooseClause,
     Computation,
     Constant,
     Pattern,
-    Place,
     PredicateTree,
     RuleTree,
+    SourcePosition,
 )
 
 HERE = Path("here.rules")
@@ -99,11 +99,15 @@ def test_every_part_has_its_place() -> None:
     assert isinstance(block.tree, RuleTree)
     pattern, computation = block.tree.statements
     assert isinstance(pattern, Pattern)
-    assert pattern.fact.arguments[0] == Alternatives(("a", "b c"), Place(7, 5))
-    assert pattern.fact.arguments[2] == Constant(-1.5, Place(7, 19))
-    assert [argument.place for argument in pattern.fact.arguments][1:] == [Place(7, 14), Place(7, 19), Place(8, 5)]
+    assert pattern.fact.arguments[0] == Alternatives(("a", "b c"), SourcePosition(7, 5))
+    assert pattern.fact.arguments[2] == Constant(-1.5, SourcePosition(7, 19))
+    assert [argument.place for argument in pattern.fact.arguments][1:] == [
+        SourcePosition(7, 14),
+        SourcePosition(7, 19),
+        SourcePosition(8, 5),
+    ]
     assert isinstance(computation, Computation)
-    assert computation.expression.place == Place(9, 8)
+    assert computation.expression.place == SourcePosition(9, 8)
 
 
 def test_newlines_separate_statements_but_not_arguments() -> None:
@@ -135,7 +139,7 @@ def test_weights_guards_and_calls_of_a_choice() -> None:
     tree = file.blocks[0].tree
     assert isinstance(tree, RuleTree)
     [choice] = tree.conclusions
-    assert isinstance(choice, Choice)
+    assert isinstance(choice, ChooseClause)
     assert [(one.weight, len(one.guards), [call.name for call in one.calls]) for one in choice.alternatives] == [
         (0.5, 2, ["nod", "beat"]),
         (2, 0, ["nod"]),

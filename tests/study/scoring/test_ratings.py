@@ -5,7 +5,7 @@ import random
 import pytest
 
 from understudy.errors import InputError
-from understudy.study.comparison import Choice
+from understudy.study.comparison import RaterChoice
 from understudy.study.scoring.ratings import Preference, rating_statistics, variance
 from understudy.study.scoring.reading import Rating
 
@@ -94,12 +94,12 @@ def test_equal_grades_share_the_first_place() -> None:
 
 def test_best_and_worst_are_those_that_were_said() -> None:
     said = [
-        Rating("r1", "l", "semantic", 9, Choice.BEST),
-        Rating("r1", "l", "prosody", 5, Choice.NEITHER),
-        Rating("r1", "l", "random", 2, Choice.WORST),
-        Rating("r2", "l", "semantic", 6, Choice.NEITHER),
-        Rating("r2", "l", "prosody", 7, Choice.BEST),
-        Rating("r2", "l", "random", 3, Choice.WORST),
+        Rating("r1", "l", "semantic", 9, RaterChoice.BEST),
+        Rating("r1", "l", "prosody", 5, RaterChoice.NEITHER),
+        Rating("r1", "l", "random", 2, RaterChoice.WORST),
+        Rating("r2", "l", "semantic", 6, RaterChoice.NEITHER),
+        Rating("r2", "l", "prosody", 7, RaterChoice.BEST),
+        Rating("r2", "l", "random", 3, RaterChoice.WORST),
     ]
     found = rating_statistics(said).by_choice
     assert found == {

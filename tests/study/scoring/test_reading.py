@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from understudy.errors import InputError
-from understudy.study.comparison import Choice, Comparison
+from understudy.study.comparison import Comparison, RaterChoice
 from understudy.study.scoring.reading import Rating, Verdict, read_answers
 from understudy.study.scoring.tables import AnswersError
 
@@ -30,9 +30,9 @@ def test_ratings_are_told_by_the_key_beside_them(tmp_path: Path) -> None:
     answers = read_answers([_file(tmp_path, "a.csv", "rater,clip,rating,choice\n1,k1,9,best\n1,k2,3,\n1,k3,2,worst\n")])
     assert answers.comparison is Comparison.MODES
     assert answers.ratings == (
-        Rating("1", "one", "semantic", 9, Choice.BEST),
+        Rating("1", "one", "semantic", 9, RaterChoice.BEST),
         Rating("1", "one", "prosody", 3),
-        Rating("1", "one", "random", 2, Choice.WORST),
+        Rating("1", "one", "random", 2, RaterChoice.WORST),
     )
 
 

@@ -11,9 +11,9 @@ from understudy.realizer.gestures.gesture import (
     Depth,
     Expressivity,
     FrameType,
-    Height,
+    HeightSector,
     Markers,
-    Place,
+    SectorPlace,
     Sideways,
 )
 from understudy.realizer.gestures.gesture_plan import arms_of
@@ -22,9 +22,9 @@ MARKERS = Markers(start=0.0, ready=0.4, stroke_start=0.5, stroke=0.8, stroke_end
 """Of every clip that says nothing else: .3 s from stroke start to stroke, .4 s from stroke to relax."""
 
 
-def place(outwards_m: float = 0.0, up_m: float = 0.0) -> Place:
+def place(outwards_m: float = 0.0, up_m: float = 0.0) -> SectorPlace:
     """So far from the middle of gesture space."""
-    return Place(Sideways.C, Height.CC, Depth.MIDDLE, (outwards_m, up_m, 0.0))
+    return SectorPlace(Sideways.C, HeightSector.CC, Depth.MIDDLE, (outwards_m, up_m, 0.0))
 
 
 @dataclass(frozen=True, slots=True)
