@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from plugins.blender.retargeting.bone_tables import FOLDER, BoneTable, WrongTableError, load_tables, read_table
+from plugins.rig_tables import SHARED, table
 
 RIGHT = """
 title = "Mine"
@@ -21,6 +22,12 @@ def test_every_table_names_a_humanoid_without_doubles(table: BoneTable) -> None:
     first = [names[0] for names in table.names.values()]
     assert len(set(first)) == len(first) >= 52
     assert {"hips", "head", "leftHand", "rightLittleDistal", "leftToes"} <= set(table.names)
+
+
+@pytest.mark.parametrize("name", SHARED)
+def test_rigs_that_the_realizer_knows_are_named_as_there(name: str) -> None:
+    """Else run `python -m plugins.rig_tables`."""
+    assert (FOLDER / f"{name}.toml").read_text(encoding="utf-8") == table(name)
 
 
 def test_sides_are_filled_in(tmp_path: Path) -> None:
