@@ -50,7 +50,7 @@ __all__ = [
     "Performance",
     "Phone",
     "Phrase",
-    "Realized",
+    "RealizedSchedule",
     "Realizer",
     "Schedule",
     "ServiceError",
@@ -103,7 +103,7 @@ if TYPE_CHECKING:
     )
     from .library.hearing import AcousticModels, align, make_reference
     from .library.language import find_functions
-    from .library.motion import MotionFormat, Realized, Realizer, realize, realize_bml, write_motion
+    from .library.motion import MotionFormat, RealizedSchedule, Realizer, realize, realize_bml, write_motion
     from .library.performing import analyze, load, perform, say
     from .library.writing import (
         write_bml,

@@ -19,7 +19,7 @@ from .bodies import Uploads
 from .description import page
 from .description.document import PATHS, describe
 from .live import router as live_router
-from .metrics import Measured, Metrics
+from .metrics import Metrics, MetricsMiddleware
 from .problems import answer_errors_as_problems
 from .reloading import reloading
 from .routes import router
@@ -64,7 +64,7 @@ def create_app(
         app.include_router(each)
     answer_errors_as_problems(app, PATHS)
     guard(app, Admission.of(settings))
-    app.add_middleware(Measured, metrics=metrics)
+    app.add_middleware(MetricsMiddleware, metrics=metrics)
     if settings.origins:
         let_in_pages(app, settings.origins)
     describe(app)

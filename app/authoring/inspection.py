@@ -20,7 +20,7 @@ from ..options import Options
 from ..performance import perform_line
 from ..rules.chaining.chainer import Derivation, derive
 from ..rules.chaining.matching import FactBase
-from ..rules.chaining.tracing import Firing, NearMiss, RuleTrace, Said, fires, trace_rule, trace_rules
+from ..rules.chaining.tracing import Firing, NearMiss, RuleTrace, ShownStatement, fires, trace_rule, trace_rules
 from ..rules.derivation import FunctionRules, derive_facts, understand
 from ..rules.lexicon import LexicalEntry
 from ..rules.mapping import MappingRules
@@ -33,9 +33,9 @@ __all__ = [
     "NearMiss",
     "Rule",
     "RuleTrace",
-    "Said",
+    "ShownStatement",
     "Trace",
-    "Unused",
+    "UnusedEntries",
     "find_unused",
     "read_again",
     "trace",
@@ -59,7 +59,7 @@ class Trace:
 
 
 @dataclass(frozen=True, slots=True)
-class Unused:
+class UnusedEntries:
     """Rules that never fired and lexicon entries that never matched, in the order of their files."""
 
     rules: tuple[Rule, ...]
@@ -111,7 +111,7 @@ def trace_one(understudy: Understudy, text: str, *, rule: str) -> Trace:
     return Trace(utterance, nothing, trace_rule(program, chosen, mapped.facts))
 
 
-def find_unused(language: LanguageModels, behavior: BehaviorModels, texts: Iterable[str]) -> Unused:
+def find_unused(language: LanguageModels, behavior: BehaviorModels, texts: Iterable[str]) -> UnusedEntries:
     """The rules and words that none of the texts uses. An entry that only occurs within a longer one of its class
     counts as unused."""
     waiting = (list(language.rules.program.rules), list(behavior.rules.program.rules))
@@ -122,7 +122,7 @@ def find_unused(language: LanguageModels, behavior: BehaviorModels, texts: Itera
             words.pop(id(match.entry), None)
         for rules, derivation in zip(waiting, derived, strict=True):
             rules[:] = _still_unused(rules, derivation)
-    return Unused(tuple(rule for rules in waiting for rule in rules), tuple(words.values()))
+    return UnusedEntries(tuple(rule for rules in waiting for rule in rules), tuple(words.values()))
 
 
 def read_again(understudy: Understudy) -> Understudy:

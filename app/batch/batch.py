@@ -109,7 +109,7 @@ def entries_before(out: Path) -> dict[str, ManifestEntry]:
 
 
 @dataclass(frozen=True, slots=True)
-class Changed:
+class BatchChanges:
     """The differences from the manifest: lines to perform, rows to write first, and ids that are gone."""
 
     waiting: tuple[Work, ...]
@@ -123,12 +123,12 @@ class Changed:
 
 def _changed(
     plan: BatchPlan, work: Sequence[Work], before: Mapping[str, ManifestEntry], request: BatchRequest
-) -> Changed:
+) -> BatchChanges:
     hopeless = list(hopeless_entries(plan))
     waiting = [each for each in work if request.again or not _is_done(before.get(each.entry.id), each, request.out)]
     ids = {each.entry.id for each in work} | {entry.id for entry in hopeless}
     rows = [*(entry for entry in hopeless if before.get(entry.id) != entry), *_begun(work, waiting, before)]
-    return Changed(tuple(waiting), tuple(rows), frozenset(before.keys() - ids))
+    return BatchChanges(tuple(waiting), tuple(rows), frozenset(before.keys() - ids))
 
 
 def _thumbnails(

@@ -22,7 +22,7 @@ from .casting.voices import reference_jobs, speaker_of
 from .compressed import advice, converter, is_compressed
 from .layout import file_name, require_apart
 from .manifest.entries import ManifestEntry, State
-from .matching.joining import Joined, Missing, join_one_recording, join_recordings
+from .matching.joining import JoinedLines, Missing, join_one_recording, join_recordings
 from .matching.recordings import find_recordings
 from .model import RowProblem, Script, Take, place_told
 from .request import BatchRequest
@@ -38,7 +38,7 @@ class BatchPlan:
     and one for each speaker whose voice is to be learnt; `remarks` say what was guessed, or has no effect."""
 
     script: Script
-    joined: Joined
+    joined: JoinedLines
     jobs: tuple[tuple[Take, LineJob], ...]
     voices: tuple[ReferenceJob, ...]
     remarks: tuple[str, ...]
@@ -115,7 +115,7 @@ def without_audio(missing: Missing, unit: str = "row") -> str:
     return f"{place_told(missing.line.row, missing.line.sheet, unit)}: no recording{hint}"
 
 
-def _joined(request: BatchRequest, script: Script) -> Joined:
+def _joined(request: BatchRequest, script: Script) -> JoinedLines:
     """Matches lines and recordings. Lines with times are cut out of one recording: the one given, or the one named like
     the script."""
     if request.audio.is_file():

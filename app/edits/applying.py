@@ -12,9 +12,9 @@ from ..model import Behavior, Channel, Notice, Performance, SyncPoints, Utteranc
 from ..model.edits import BehaviorEdit
 from ..model.tables.lexemes import SHIFT
 from .finding import find_behaviors
-from .forms import Formed, added, formed, forms_of, unplayed
+from .forms import ChangedBehavior, added, formed, forms_of, unplayed
 from .marks import moved, place_s
-from .room import INSTANT_S, Placed, with_room
+from .room import INSTANT_S, SettledBehavior, with_room
 from .words import find_word, word_gone
 
 
@@ -46,7 +46,7 @@ def edited(performance: Performance, edits: Sequence[BehaviorEdit], character: C
     offered = tuple(each for each in performance.behaviors if is_offered(each))
     others = [each for each in performance.behaviors if each.id not in taken and not is_offered(each)]
     settled = with_room(
-        [Placed(behavior, _lets_go(edit, behavior)) for edit, behavior in made if behavior.kept],
+        [SettledBehavior(behavior, _lets_go(edit, behavior)) for edit, behavior in made if behavior.kept],
         [each for each in others if each.kept],
         partial(forms_of, character=character),
     )
@@ -73,13 +73,13 @@ def _outcome(
 
 def _formed(
     number: int, edit: BehaviorEdit, behavior: Behavior | None, words: Sequence[Word], character: Character
-) -> Formed:
+) -> ChangedBehavior:
     """The behaviour before its marks are moved."""
     if behavior is not None:
         return formed(edit, number, behavior, character)
     word = find_word(edit.word, words)
     if word is None:
-        return Formed(None, (word_gone(f"behaviors[{number}]", edit.word),) if edit.of is None else ())
+        return ChangedBehavior(None, (word_gone(f"behaviors[{number}]", edit.word),) if edit.of is None else ())
     return added(edit, number, word, words, character)
 
 

@@ -22,29 +22,29 @@ PRIORITY = 10.0
 
 
 @dataclass(frozen=True, slots=True)
-class Formed:
+class ChangedBehavior:
     """The changed behaviour, None if it cannot be made, and notices about what could not be changed."""
 
     behavior: Behavior | None
     notices: tuple[Notice, ...] = ()
 
 
-def added(edit: BehaviorEdit, number: int, word: int, words: Sequence[Word], character: Character) -> Formed:
+def added(edit: BehaviorEdit, number: int, word: int, words: Sequence[Word], character: Character) -> ChangedBehavior:
     """The behaviour that an edit describes, on a word."""
     lexeme = edit.lexeme or (edit.of.lexeme if edit.of else None) or ""
     entry = entry_of(character, edit.channel, lexeme, direction=edit.direction, hand=edit.hand)
     if entry is None:
-        return Formed(None, (_unknown(number, edit.channel, lexeme, character),))
+        return ChangedBehavior(None, (_unknown(number, edit.channel, lexeme, character),))
     movement = Movement(entry.name, word, word, PRIORITY, "", None, stroke=word)
     made = asked(movement, entry, tuple(each for each in words if each.interval), f"edit.{number}").behavior
     if not made.kept:
-        return Formed(None, (unplayed(number, f"{made.reason}"),))
+        return ChangedBehavior(None, (unplayed(number, f"{made.reason}"),))
     hand, notices = _hand(edit.hand, entry, made, character, number)
     behavior = replace(made, hand=hand, direction=edit.direction or made.direction, edit=number)
-    return Formed(_sized(behavior, edit.amount), notices)
+    return ChangedBehavior(_sized(behavior, edit.amount), notices)
 
 
-def formed(edit: BehaviorEdit, number: int, behavior: Behavior, character: Character) -> Formed:
+def formed(edit: BehaviorEdit, number: int, behavior: Behavior, character: Character) -> ChangedBehavior:
     """The behaviour with the edit applied; what cannot be applied leaves it unchanged."""
     lexeme = edit.lexeme or (edit.of.lexeme if edit.of and edit.lock else None) or behavior.lexeme
     direction = edit.direction or (None if lexeme != behavior.lexeme else behavior.direction)
@@ -52,12 +52,12 @@ def formed(edit: BehaviorEdit, number: int, behavior: Behavior, character: Chara
     entry = entry_of(character, behavior.kind, lexeme, direction=direction, hand=hand_asked)
     mine = replace(behavior, priority=max(behavior.priority, PRIORITY), edit=number)
     if entry is None:
-        return Formed(_sized(mine, edit.amount), (_unknown(number, behavior.kind, lexeme, character),))
+        return ChangedBehavior(_sized(mine, edit.amount), (_unknown(number, behavior.kind, lexeme, character),))
     hand, notices = _hand(edit.hand, entry, behavior, character, number)
     if (lexeme, hand, direction) != (behavior.lexeme, behavior.hand, behavior.direction):
         mine = _replaced(mine, entry, hand)
         mine = replace(mine, direction=direction or mine.direction)
-    return Formed(_sized(mine, edit.amount), notices)
+    return ChangedBehavior(_sized(mine, edit.amount), notices)
 
 
 def entry_of(

@@ -22,7 +22,7 @@ _TOLERANCE_S = 0.0015
 
 
 @dataclass(frozen=True, slots=True)
-class Moved:
+class MovedPoints:
     """The sync points after the move, and those that could not be moved all the way, with the time asked for."""
 
     sync: SyncPoints
@@ -38,7 +38,7 @@ def place_s(place: MarkPlace, words: Sequence[Word]) -> float | None:
     return (interval.start_s if place.edge is Edge.START else interval.end_s) + place.offset_s
 
 
-def moved(sync: SyncPoints, wanted_s: Mapping[str, float], *, end_s: float, lasting: bool = False) -> Moved:
+def moved(sync: SyncPoints, wanted_s: Mapping[str, float], *, end_s: float, lasting: bool = False) -> MovedPoints:
     """The sync points with those named in `wanted_s` moved there; names the behaviour does not have are ignored.
 
     A `lasting` behaviour changes a state and is over once that is reached, so its last three points coincide.
@@ -59,7 +59,7 @@ def moved(sync: SyncPoints, wanted_s: Mapping[str, float], *, end_s: float, last
         points |= dict.fromkeys(("relax", "end"), points["ready"]) if "ready" in points else {}
     points = _in_order(_within(points, end_s))
     refused = tuple((name, at_s) for name, at_s in wanted_s.items() if abs(points[name] - at_s) > _TOLERANCE_S)
-    return Moved(replace(sync, **{name: round(at_s, 3) + 0.0 for name, at_s in points.items()}), refused)
+    return MovedPoints(replace(sync, **{name: round(at_s, 3) + 0.0 for name, at_s in points.items()}), refused)
 
 
 def _with_leading(points: dict[str, float], wanted_s: Mapping[str, float]) -> dict[str, float]:

@@ -18,19 +18,19 @@ INSTANT_S = 0.001
 
 
 @dataclass(frozen=True, slots=True)
-class Placed:
-    """A behaviour with its place. If its end is `free`, its retraction may be cut."""
+class SettledBehavior:
+    """A behaviour that has its place. If its end is `free`, its retraction may be cut."""
 
     behavior: Behavior
     free: bool
 
 
 def with_room(
-    authored: Iterable[Placed], others: Iterable[Behavior], forms: Callable[[Behavior], Forms]
+    authored: Iterable[SettledBehavior], others: Iterable[Behavior], forms: Callable[[Behavior], Forms]
 ) -> tuple[Behavior, ...]:
     """All behaviours, without overlaps; those without room are marked as not kept. `others` must not overlap each
     other."""
-    placed: tuple[Placed, ...] = ()
+    placed: tuple[SettledBehavior, ...] = ()
     left: list[Behavior] = []
     for each in authored:
         mine, placed = _among(each, placed, forms)
@@ -39,16 +39,16 @@ def with_room(
         else:
             left.append(mine)
     for other in others:
-        mine, placed = _among(Placed(other, True), placed, forms)
+        mine, placed = _among(SettledBehavior(other, True), placed, forms)
         left.append(mine)
     return (*(each.behavior for each in placed), *left)
 
 
 def _among(
-    newcomer: Placed, placed: tuple[Placed, ...], forms: Callable[[Behavior], Forms]
-) -> tuple[Behavior, tuple[Placed, ...]]:
+    newcomer: SettledBehavior, placed: tuple[SettledBehavior, ...], forms: Callable[[Behavior], Forms]
+) -> tuple[Behavior, tuple[SettledBehavior, ...]]:
     """The newcomer as it fits among those placed (not kept if it does not fit), and those placed, shortened for it."""
-    behavior, settled = newcomer.behavior, list[Placed]()
+    behavior, settled = newcomer.behavior, list[SettledBehavior]()
     for other in placed:
         if compete(behavior, other.behavior):
             behavior = _with_the_eyes_alone(behavior, other.behavior)
@@ -69,7 +69,9 @@ def _with_the_eyes_alone(behavior: Behavior, head: Behavior) -> Behavior:
     return replace(behavior, lexeme=GLANCE, reason=f"with the eyes alone: the head has its {head.lexeme}")
 
 
-def _beside(behavior: Behavior, other: Placed, forms: Callable[[Behavior], Forms]) -> tuple[Behavior, Placed] | None:
+def _beside(
+    behavior: Behavior, other: SettledBehavior, forms: Callable[[Behavior], Forms]
+) -> tuple[Behavior, SettledBehavior] | None:
     """A behaviour and one already placed, shortened to fit; None where there is no room for both."""
     beside = other.behavior
     if _struck_s(behavior.sync) <= _struck_s(beside.sync):

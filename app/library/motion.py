@@ -15,7 +15,7 @@ from ..realization import (
     AvatarOptions,
     BmlInput,
     PreparedSchedule,
-    Realized,
+    RealizedSchedule,
     Realizer,
     prepare_schedule,
     realize_prepared,
@@ -35,7 +35,7 @@ __all__ = [
     "MotionFormat",
     "PreparedSchedule",
     "RealizeKeywords",
-    "Realized",
+    "RealizedSchedule",
     "Realizer",
     "prepare_schedule",
     "realize",
@@ -85,7 +85,7 @@ def realize(
     seed: int | None = None,
     tail_s: float = 0.0,
     physics: bool = False,
-) -> Realized:
+) -> RealizedSchedule:
     """The motion of a performance (§3.8), frame by frame, as long as its recording plus `tail_s`, in which the hands
     come to rest; `seed` is the performance's own unless given. `physics` simulates a body with mass (ServiceError
     `physics_missing` without understudy[physics]). `Realizer` suffices.
@@ -99,7 +99,7 @@ def realize(
 
 def realize_bml(
     models: Understudy, bml: FileSource, audio: FileSource | None = None, **options: Unpack[RealizeKeywords]
-) -> Realized:
+) -> RealizedSchedule:
     """The motion of BML, ours or others'. With the recording the lips move, and marks of the speech fall where its
     words are heard; without it `realized.motion.notices` says what was missing.
 
@@ -122,7 +122,7 @@ def realize_bml(
 
 def write_motion(
     models: Understudy | Realizer,
-    realized: Realized,
+    realized: RealizedSchedule,
     form: MotionFormat | str,
     *,
     skeleton: str | None = None,
@@ -145,7 +145,7 @@ def write_motion(
     return write_realized(realized, _realizer(models), motion_format, wearer, files)
 
 
-def _played(models: Understudy | Realizer, prepared: PreparedSchedule, options: RealizeOptions) -> Realized:
+def _played(models: Understudy | Realizer, prepared: PreparedSchedule, options: RealizeOptions) -> RealizedSchedule:
     return realize_prepared(
         _realizer(models),
         prepared,

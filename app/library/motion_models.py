@@ -15,7 +15,7 @@ from ..motion_models.scoring import Scores, left_out_trials, scored
 from ..motion_models.training import Learning, learn
 from ..progress import Progress, no_progress
 from ..prosody_gestures.trellis import EVERYTHING, Search
-from ..realization import PreparedSchedule, Realized, Realizer, realize_prepared
+from ..realization import PreparedSchedule, RealizedSchedule, Realizer, realize_prepared
 from ..resources import resource_folder
 from ..schemas.affect import read_affect_track
 from ..settings import Settings, read_settings
@@ -151,13 +151,13 @@ def moving_by(
 
 def realize_moving(
     realizer: Realizer, prepared: PreparedSchedule, moving: Moving, *, frame_rate_hz: int = 60, tail_s: float = 0.0
-) -> Realized:
+) -> RealizedSchedule:
     """The motion of a schedule whose arms, and whatever else the model has learnt, move as in its recordings."""
     schedule, told = replaced_behaviors(moving.model, prepared.schedule)
     usual = realize_prepared(realizer, replace(prepared, schedule=schedule), frame_rate_hz=frame_rate_hz, tail_s=tail_s)
     moved = move(moving.model, moving.voice, moving.scenario, moving.search)
     motion = laid_over(usual.motion, moved, realizer.performer(schedule.character).skeleton)
-    return Realized(schedule, replace(motion, decisions=(*motion.decisions, *told)))
+    return RealizedSchedule(schedule, replace(motion, decisions=(*motion.decisions, *told)))
 
 
 def _estimator() -> LinearAffectModel:

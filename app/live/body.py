@@ -59,7 +59,7 @@ class BodyFrame:
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class BodyRequest:
     """The behaviours and visemes that the body should perform, on the stream's clock."""
 
     behaviors: tuple[Behavior, ...] = ()
@@ -98,11 +98,11 @@ class LiveBody:
         self._take: Pose | None = None
         self._offset: Offset | None = None
         self._shown: list[Pose] = []
-        self._asked = Asked()
+        self._asked = BodyRequest()
         self._due_s = inf
         self._lips = np.zeros(len(SHAPES))
 
-    def ask(self, asked: Asked) -> None:
+    def ask(self, asked: BodyRequest) -> None:
         """Sets what to perform from the next frame on."""
         if asked != self._asked:
             self._due_s = min(self._due_s, _differ_from_s(self._asked, asked, self._next * self._frame_s))
@@ -186,7 +186,7 @@ class LiveBody:
         return np.array(lips)
 
 
-def _differ_from_s(before: Asked, after: Asked, now_s: float) -> float:
+def _differ_from_s(before: BodyRequest, after: BodyRequest, now_s: float) -> float:
     """The time from which what is asked moves the body differently; behaviours that are over do not count."""
     if before.visemes != after.visemes:
         return now_s

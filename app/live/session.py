@@ -17,7 +17,7 @@ from ..motion_models.playing import UnitPlayer
 from ..options import Options
 from .agenda import REMEMBERED_S, WORDED, Agenda
 from .attention import Attention
-from .body import Asked, BodyFrame, LiveBody, Performing
+from .body import BodyFrame, BodyRequest, LiveBody, Performing
 from .ear import Ear, RunningFeeling
 from .messages import LiveMessage, LiveOptions, MouthMessage, PhraseMessage
 from .models import LiveModels
@@ -204,7 +204,7 @@ class LiveSession:
     def _ask(self) -> None:
         if self._body is not None:
             visemes = tuple(viseme for phrase in self._phrases for viseme in phrase.visemes)
-            self._body.ask(Asked(self._agenda.behaviors, visemes))
+            self._body.ask(BodyRequest(self._agenda.behaviors, visemes))
 
 
 def _body(models: LiveModels, options: LiveOptions) -> LiveBody | None:

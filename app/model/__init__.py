@@ -10,7 +10,16 @@ of it. Import the values from here.
 """
 
 from .body import Channel, Hand
-from .choice import Alternative, BehaviorCandidates, Demand, MappedFunctions, Mode, Moment, Movement, Rejected
+from .choice import (
+    Alternative,
+    BehaviorCandidates,
+    Demand,
+    MappedFunctions,
+    Mode,
+    Moment,
+    Movement,
+    RejectedAlternative,
+)
 from .direction import Avoidance, DirectedMoment, Direction
 from .functions import PLAIN, Argument, Because, Fact, Function, GivenFunction, Term
 from .language import Clause, Parse, Phrase, Token, Utterance
@@ -82,7 +91,7 @@ __all__ = [
     "Phone",
     "Phrase",
     "PhraseAffect",
-    "Rejected",
+    "RejectedAlternative",
     "Schedule",
     "Side",
     "SignalAnalysis",

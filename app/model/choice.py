@@ -16,7 +16,7 @@ class Mode(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Rejected:
+class RejectedAlternative:
     """An alternative that lost at a moment: its families, their expected worth, and the reason."""
 
     families: tuple[str, ...]
@@ -43,7 +43,7 @@ class Moment:
     importance: float
     shares: tuple[float, ...] = ()
     terms: tuple[Term, ...] = ()
-    rejected: tuple[Rejected, ...] = ()
+    rejected: tuple[RejectedAlternative, ...] = ()
     note: int | None = None
     set_against: int | None = None
     demanded: bool = False

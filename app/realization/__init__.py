@@ -6,7 +6,7 @@
 from ..model.formats.motion_formats import FileOptions, Keys, MotionFormat, format_of
 from ..realizer.realizing import Realizer, realize
 from .bml import BmlInput, prepare_schedule
-from .motion import PreparedSchedule, Realized, realize_prepared, schedule_of
+from .motion import PreparedSchedule, RealizedSchedule, realize_prepared, schedule_of
 from .writing import OURS, AvatarOptions, write_motion
 
 __all__ = [
@@ -17,7 +17,7 @@ __all__ = [
     "Keys",
     "MotionFormat",
     "PreparedSchedule",
-    "Realized",
+    "RealizedSchedule",
     "Realizer",
     "format_of",
     "prepare_schedule",

@@ -19,7 +19,7 @@ from ..bml.markup.speech import speech_of
 from ..bml.reading.pawns import scene_of
 from ..bml.reading.reader import read_bml
 from ..bml.reading.record import Record, read_record
-from ..bml.reading.resolving import Resolved, resolve
+from ..bml.reading.resolving import ResolvedDocument, resolve
 from ..model import DEFAULT_CHARACTER, Level, Notice, Schedule, Target, Word
 from ..model.lead_in import later_s
 from ..model.limits.motion_limits import MotionLimits
@@ -85,7 +85,7 @@ def prepare_schedule(
     return PreparedSchedule(prepared, told, recorded if seed is None else seed)
 
 
-def _asked(resolved: Resolved, record: Record | None) -> dict[str, frozenset[str]]:
+def _asked(resolved: ResolvedDocument, record: Record | None) -> dict[str, frozenset[str]]:
     """The sync points that the author of the file states: all but those of a performance as it was scheduled."""
     others = [each.id for each in resolved.behaviors if not (record and record.is_as_scheduled(each))]
     return {name: resolved.stated[name] for name in others}
@@ -161,7 +161,7 @@ def _heard(acoustic: AcousticModels, audio: bytes, text: str, progress: Progress
     return replace(speech, words=words, notices=speech.notices + timed.notices)
 
 
-def _schedule(resolved: Resolved, speech: _Speech) -> tuple[Schedule, tuple[Notice, ...]]:
+def _schedule(resolved: ResolvedDocument, speech: _Speech) -> tuple[Schedule, tuple[Notice, ...]]:
     spoken_s = [word.interval.end_s for word in resolved.words if word.interval]
     heard_s = later_s(speech.duration_s, resolved.speech_start_s) if speech.duration_s else 0.0
     lips, notices = visemes(resolved.words, heard_s) if heard_s else ((), ())

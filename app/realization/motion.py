@@ -14,7 +14,7 @@ from ..realizer.realizing import Realizer, realize
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Realized:
+class RealizedSchedule:
     """A schedule and its motion."""
 
     schedule: Schedule
@@ -62,12 +62,12 @@ def realize_prepared(
     frame_rate_hz: int = 60,
     tail_s: float = 0.0,
     physics: bool = False,
-) -> Realized:
+) -> RealizedSchedule:
     """The motion of a schedule; its notices also name gestures that were replaced or dropped."""
     schedule, seed = prepared.schedule, prepared.seed
     motion = realize(realizer, schedule, frame_rate_hz=frame_rate_hz, seed=seed, tail_s=tail_s, physics=physics)
     notices = (*prepared.notices, *_unknown_gestures(realizer, schedule), *_unplayed_gestures(motion, schedule))
-    return Realized(schedule, replace(motion, notices=notices))
+    return RealizedSchedule(schedule, replace(motion, notices=notices))
 
 
 def _unknown_gestures(realizer: Realizer, schedule: Schedule) -> Iterator[Notice]:

@@ -29,7 +29,7 @@ from ..realizer.mpeg4.fap import TABLE, FapTable, to_fap
 from ..realizer.pictures.contact_sheet import draw_sheet, moments_of
 from ..realizer.pictures.speed_plot import draw_speeds
 from ..realizer.realizing import Realizer
-from .motion import Realized
+from .motion import RealizedSchedule
 
 VRM, MIXAMO = "vrm", "mixamo"
 _RIGS: Mapping[MotionFormat, str] = MappingProxyType({MotionFormat.BVH: MIXAMO})
@@ -50,7 +50,7 @@ USUAL = FileOptions()
 
 
 def write_motion(
-    realized: Realized,
+    realized: RealizedSchedule,
     realizer: Realizer,
     form: MotionFormat,
     wearer: AvatarOptions = OURS,
@@ -89,7 +89,7 @@ def write_motion(
     return writers[form]()
 
 
-def _glb(realized: Realized, realizer: Realizer, avatar: bytes | None, keys: Keys) -> bytes:
+def _glb(realized: RealizedSchedule, realizer: Realizer, avatar: bytes | None, keys: Keys) -> bytes:
     """On the caller's avatar, or on the character's mannequin."""
     performer = realizer.performer(realized.schedule.character)
     sparse_for = realized.schedule.behaviors if keys is Keys.SPARSE else None
@@ -98,7 +98,7 @@ def _glb(realized: Realized, realizer: Realizer, avatar: bytes | None, keys: Key
     return to_avatar_glb(realized.motion, performer.skeleton, avatar, realizer.rigs, sparse_for=sparse_for)
 
 
-def _usd(realized: Realized, realizer: Realizer, form: MotionFormat, audio: AudioFile | None) -> bytes:
+def _usd(realized: RealizedSchedule, realizer: Realizer, form: MotionFormat, audio: AudioFile | None) -> bytes:
     """Raises ServiceError `usd_missing`."""
     require_usd()
     from ..realizer.exporting.usd import UsdForm, to_usd  # an optional extra
@@ -114,7 +114,7 @@ def _usd(realized: Realized, realizer: Realizer, form: MotionFormat, audio: Audi
     )
 
 
-def _editorial(realized: Realized, form: MotionFormat, audio: AudioFile | None) -> bytes:
+def _editorial(realized: RealizedSchedule, form: MotionFormat, audio: AudioFile | None) -> bytes:
     """Functions and movements as timed events, for editing, annotation and statistics."""
     schedule, motion = realized.schedule, realized.motion
     events, lead_in_s = timeline_events(schedule, motion.realized), schedule.lead_in_s
@@ -130,7 +130,7 @@ def _editorial(realized: Realized, form: MotionFormat, audio: AudioFile | None) 
     return to_textgrid(tracks, schedule.duration_s - lead_in_s)
 
 
-def _viseme_weights(realized: Realized, realizer: Realizer) -> FloatArray | None:
+def _viseme_weights(realized: RealizedSchedule, realizer: Realizer) -> FloatArray | None:
     """The weights (T, 15) of the speech's visemes; None when nothing is said."""
     schedule = realized.schedule
     spoken = with_glides(schedule.visemes, schedule.words)

@@ -128,7 +128,7 @@ Filed: TypeAlias = defaultdict[object, list[Fact]]
 
 
 @dataclass(slots=True)
-class Sorted:
+class SortedNumbers:
     """The numbers that the facts in a list have as one of their arguments, sorted, each with its fact's index in the
     list."""
 
@@ -164,7 +164,7 @@ class Knowledge:
     recent: defaultdict[Beginning, list[Fact]] = field(default_factory=lambda: defaultdict(list))
     _pending: list[Fact] = field(default_factory=list)
     _filing: Mapping[str, list[tuple[Pick, Filed]]] = field(default_factory=dict)
-    _sorted: dict[tuple[int, object, int], Sorted] = field(default_factory=dict)
+    _sorted: dict[tuple[int, object, int], SortedNumbers] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.filed = [defaultdict(list) for _ in self.indexes]
@@ -187,7 +187,7 @@ class Knowledge:
         facts = self.filed[index][key]
         if isinstance(least, str) or isinstance(most, str):
             return facts
-        ordered = self._sorted.setdefault((index, key, position), Sorted())
+        ordered = self._sorted.setdefault((index, key, position), SortedNumbers())
         ordered.take(facts, position)
         if ordered.has_texts:
             return facts

@@ -24,7 +24,7 @@ from understudy.performance import perform
 from understudy.profiles.annotation.model import PhaseKind
 from understudy.profiles.proposing.bvh import WristPaths, read_wrists
 from understudy.profiles.proposing.phases import ProposedUnit, proposed_units
-from understudy.realization import MotionFormat, PreparedSchedule, Realized, realize_prepared, write_motion
+from understudy.realization import MotionFormat, PreparedSchedule, RealizedSchedule, realize_prepared, write_motion
 from understudy.settings import Settings
 
 
@@ -62,7 +62,7 @@ def our_motions(understudy: Understudy, profile: str, every: int) -> Iterator[Fo
         yield Found(tuple(_played(realized)), tuple(sum(proposed, ())), len(wrists.left_m) / wrists.frame_rate_hz)
 
 
-def _played(realized: Realized) -> Iterator[Interval]:
+def _played(realized: RealizedSchedule) -> Iterator[Interval]:
     gestures = {each.id for each in realized.schedule.behaviors if each.kept and each.kind is Channel.GESTURE}
     for name in sorted(gestures & realized.motion.realized.keys()):
         sync = realized.motion.realized[name]

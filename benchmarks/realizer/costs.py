@@ -22,7 +22,7 @@ from pathlib import Path
 
 from benchmarks.startup import cost_of
 from understudy.model import Schedule
-from understudy.realization import Realized, Realizer, realize, schedule_of
+from understudy.realization import RealizedSchedule, Realizer, realize, schedule_of
 from understudy.realizer.exporting.glb import to_glb
 from understudy.realizer.pictures.contact_sheet import draw_sheet, moments_of
 from understudy.resources import resource_folder
@@ -69,7 +69,7 @@ def report_speed(name: str, realizer: Realizer, schedules: Sequence[Schedule], r
 
 
 def report_sheet(realizer: Realizer, schedule: Schedule, runs: int) -> None:
-    realized = Realized(schedule, realize(realizer, schedule))
+    realized = RealizedSchedule(schedule, realize(realizer, schedule))
     moments = moments_of(realized.motion, schedule)
     best_s, median_s = seconds(lambda: draw_sheet(realized.motion, realizer.skeleton, moments), runs)
     print(f"contact sheet: {best_s / len(moments):.3f} s a pose at best, median {median_s / len(moments):.3f} s")

@@ -24,7 +24,7 @@ from understudy.model.limits.gesture_limits import LATEST_S
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform
-from understudy.realization import BmlInput, Realized, prepare_schedule, realize, schedule_of, write_motion
+from understudy.realization import BmlInput, RealizedSchedule, prepare_schedule, realize, schedule_of, write_motion
 from understudy.realization import MotionFormat as Format
 from understudy.settings import Settings
 
@@ -127,7 +127,7 @@ def test_the_motion_is_as_long_as_both_and_tells_where_the_audio_goes(
     motion = realize(understudy.realizer, schedule, frame_rate_hz=30)
     assert led_in.utterance.duration_s is not None
     assert motion.duration_s >= led_in.utterance.duration_s - 1 / 30
-    clip = json.loads(write_motion(Realized(schedule, motion), understudy.realizer, Format.JSON))
+    clip = json.loads(write_motion(RealizedSchedule(schedule, motion), understudy.realizer, Format.JSON))
     assert clip["audio_offset_s"] == -LEAD_IN_S
     jaw = clip["visemes"]
     spoken = [name for name, track in jaw.items() if name != "sil" and max(track[: int(30 * (LEAD_IN_S - 0.3))]) > 0.02]

@@ -18,7 +18,7 @@ from understudy.model import Channel, FloatArray, Line, Performance, Target
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform
-from understudy.realization import BmlInput, Realized, prepare_schedule, realize, schedule_of
+from understudy.realization import BmlInput, RealizedSchedule, prepare_schedule, realize, schedule_of
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.geometry.rotations import rotate
 from understudy.settings import Settings
@@ -107,7 +107,7 @@ def test_every_door_takes_targets(
     own = library.perform(understudy, AUDIO, TEXT, targets={"signals": (1.2, 1.2, 1.8)})
     assert library.write_bml(own) == expected
     realized = library.realize_bml(understudy, expected, targets={"signals": (0.0, 1.0, 2.0)})
-    assert isinstance(realized, Realized)
+    assert isinstance(realized, RealizedSchedule)
     assert realized.schedule.targets == (Target("signals", (0.0, 1.0, 2.0)),)
 
 

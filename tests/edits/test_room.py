@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from understudy.edits.room import Placed, with_room
+from understudy.edits.room import SettledBehavior, with_room
 from understudy.model import Behavior, Channel, Hand, SyncPoints
 
 
@@ -15,7 +15,7 @@ def _gesture(name: str, start_s: float, *, hand: Hand = Hand.RIGHT) -> Behavior:
 
 
 def _settled(authored: Behavior, *others: Behavior, free: bool = True) -> dict[str, Behavior]:
-    settled = with_room([Placed(authored, free)], others, lambda _gesture: ())
+    settled = with_room([SettledBehavior(authored, free)], others, lambda _gesture: ())
     return {each.id: each for each in settled}
 
 
@@ -61,6 +61,8 @@ def test_a_look_aside_goes_on_with_the_eyes_alone_while_the_head_moves() -> None
 
 def test_of_two_edits_the_first_stands() -> None:
     settled = with_room(
-        [Placed(_gesture("first", 0.5), True), Placed(_gesture("second", 0.6), True)], (), lambda _gesture: ()
+        [SettledBehavior(_gesture("first", 0.5), True), SettledBehavior(_gesture("second", 0.6), True)],
+        (),
+        lambda _gesture: (),
     )
     assert [(each.id, each.kept) for each in settled] == [("first", True), ("second", False)]

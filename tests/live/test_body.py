@@ -12,8 +12,8 @@ from understudy.live.body import (
     LONGEST_S,
     SPEED,
     TAKE_S,
-    Asked,
     BodyFrame,
+    BodyRequest,
     LiveBody,
     Offset,
     Performing,
@@ -53,7 +53,7 @@ def test_a_schedule_that_does_not_change_is_realized_as_ever(understudy: Underst
     """The arms, for what the rest does by itself is another's luck, and on the first clock, for the pace of a gesture
     is drawn by its time and the seed (17.4° on a clock that begins with the stream). The end, which comes early here,
     is no matter: 1.7°, and 17.7° from a take that is not open-ended."""
-    body.ask(Asked((beat(1.0),)))
+    body.ask(BodyRequest((beat(1.0),)))
     frames = body.frames_until(3.0, ())
     schedule = Schedule((beat(BEFORE_S + 1.0),), duration_s=BEFORE_S + 3.2)
     whole = realize(understudy.realizer, schedule, frame_rate_hz=RATE_HZ, seed=3 + 1, open_ended=True)
@@ -73,7 +73,7 @@ def test_changes_and_new_clocks_make_no_jump(understudy: Understudy, body: LiveB
     for begin_s in np.arange(0.0, 3 * TAKE_S, 2.0).tolist():
         frames += body.frames_until(begin_s, ())
         beats.append(beat(begin_s))
-        body.ask(Asked(tuple(beats[-3:])))
+        body.ask(BodyRequest(tuple(beats[-3:])))
     whole = realize(understudy.realizer, Schedule(tuple(beats), duration_s=3 * TAKE_S), frame_rate_hz=RATE_HZ, seed=3)
     fastest = angle_between(whole.body.rotations[1:], whole.body.rotations[:-1]).max()
     assert steps(frames).max() < 1.2 * fastest
@@ -83,10 +83,10 @@ def test_changes_and_new_clocks_make_no_jump(understudy: Understudy, body: LiveB
 
 
 def test_a_gesture_taken_back_half_way_goes_to_rest_smoothly(body: LiveBody) -> None:
-    body.ask(Asked((beat(1.0),)))
+    body.ask(BodyRequest((beat(1.0),)))
     frames = [*body.frames_until(1.5, ())]
     moving = steps(frames).max()
-    body.ask(Asked(()))
+    body.ask(BodyRequest(()))
     after = [frames[-1], *body.frames_until(3.0, ())]
     assert steps(after).max() < 1.2 * moving
     assert steps(after)[-10:].max() < np.radians(1)
@@ -116,13 +116,13 @@ def test_what_comes_later_is_realized_later_and_what_is_over_not_again(
         return realize(*arguments, **keywords)  # type: ignore[arg-type]
 
     monkeypatch.setattr("understudy.live.body.realize", counted)
-    body.ask(Asked((beat(0.0),)))
+    body.ask(BodyRequest((beat(0.0),)))
     body.frames_until(1.7, ())
-    body.ask(Asked((beat(0.0), beat(3.0))))
+    body.ask(BodyRequest((beat(0.0), beat(3.0))))
     body.frames_until(2.5, ())
     assert len(takes) == 1
     body.frames_until(3.5, ())
-    body.ask(Asked((beat(3.0),)))
+    body.ask(BodyRequest((beat(3.0),)))
     body.frames_until(4.0, ())
     assert len(takes) == 2
 

@@ -12,7 +12,7 @@ from understudy.model import FloatArray, Schedule
 from understudy.model.formats.motion_formats import MotionFormat
 from understudy.models import Understudy
 from understudy.motion_models.bodies import BodyTrack, body_of_bvh, body_of_points
-from understudy.realization import Realized, write_motion
+from understudy.realization import RealizedSchedule, write_motion
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.realizing import Realizer, realize
 
@@ -49,7 +49,7 @@ def test_our_own_motion_comes_back(understudy: Understudy) -> None:
     """What we write as BVH is read with the same rotations, except hips and legs."""
     realizer, schedule = understudy.realizer, Schedule((), 2.0)
     motion = realize(realizer, schedule)
-    content = write_motion(Realized(schedule, motion), realizer, MotionFormat.BVH)
+    content = write_motion(RealizedSchedule(schedule, motion), realizer, MotionFormat.BVH)
     track = body_of_bvh(read_bvh(content, "x.bvh"), "x.bvh", realizer.skeleton, realizer.rigs)
     own = motion.body.rotations[:, realizer.skeleton.chain(*track.joints)]
     assert np.abs((own * track.rotations).sum(axis=-1)).min() > 1 - 1e-6

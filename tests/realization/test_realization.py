@@ -23,7 +23,7 @@ from understudy.realization import (
     BmlInput,
     MotionFormat,
     PreparedSchedule,
-    Realized,
+    RealizedSchedule,
     format_of,
     prepare_schedule,
     realize,
@@ -171,7 +171,7 @@ def test_a_name_of_no_format_is_refused() -> None:
 def test_the_same_line_and_seed_give_the_same_bytes(understudy: Understudy, performance: Performance) -> None:
     schedule, realizer = schedule_of(performance), understudy.realizer
     motions = [realize(realizer, schedule, seed=seed) for seed in (1, 1, 2)]
-    files = [write_motion(Realized(schedule, motion), realizer, MotionFormat.BVH) for motion in motions]
+    files = [write_motion(RealizedSchedule(schedule, motion), realizer, MotionFormat.BVH) for motion in motions]
     assert files[0] == files[1]
     assert files[0] != files[2]
 
@@ -181,7 +181,7 @@ def test_a_clip_has_the_weights_of_the_visemes_if_something_is_said(
 ) -> None:
     realizer, schedule = understudy.realizer, schedule_of(performance)
     for spoken in (schedule, replace(schedule, visemes=())):
-        realized = Realized(spoken, realize(realizer, spoken))
+        realized = RealizedSchedule(spoken, realize(realizer, spoken))
         clip = json.loads(write_motion(realized, realizer, MotionFormat.JSON))
         assert ("visemes" in clip) == bool(spoken.visemes)
         assert max(clip["blendshapes"]["jawOpen"]) > 0.1 or not spoken.visemes

@@ -10,7 +10,7 @@ from tests.support.motion.gltf_reading import read
 from understudy.model import Behavior, Channel, Hand, Schedule, SyncPoints
 from understudy.model.formats.motion_formats import MotionFormat
 from understudy.models import load_realizer
-from understudy.realization import Realized, Realizer, realize, write_motion
+from understudy.realization import RealizedSchedule, Realizer, realize, write_motion
 from understudy.realizer.body.contacts import penetrations_m
 from understudy.realizer.body.limits import violations
 from understudy.realizer.body.skeleton import forward
@@ -75,7 +75,7 @@ def test_who_gestures_wide_reaches_farther_out_than_who_keeps_to_himself(realize
 def test_files_have_the_body_of_their_character(realizer: Realizer) -> None:
     heights_m, joints = [], []
     for name in ("formal_elder", "default", "reserved"):
-        realized = Realized(schedule(name), realize(realizer, schedule(name), frame_rate_hz=30))
+        realized = RealizedSchedule(schedule(name), realize(realizer, schedule(name), frame_rate_hz=30))
         skeleton = realizer.performer(name).skeleton
         clip = json.loads(write_motion(realized, realizer, MotionFormat.JSON))
         assert clip["skeleton"]["joints"][0]["offset_m"] == pytest.approx(list(skeleton.offsets_m[0]), abs=1e-6)

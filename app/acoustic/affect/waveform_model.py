@@ -14,14 +14,13 @@ metadata (`audeering`'s models are so).
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...errors import ServiceError
-from ...model import Affect, SingleArray
+from ...model import Affect
 from ...model.voice.signal import SpeakerReference
+from ..focus.listeners import Session
 from .affect_model import DIMENSIONS
 from .dimensions import affect_of_dimensions
 from .line_affect import Stretch
@@ -32,14 +31,6 @@ _ONLY_ERRORS = 3
 """The log severity of ONNX Runtime: errors, but no warnings about the machine."""
 
 _LEAST_DEVIATION = 1e-7
-
-
-class Session(Protocol):
-    """The part of ONNX Runtime's `InferenceSession` that we use; the library has no types."""
-
-    def run(self, output_names: Sequence[str], input_feed: Mapping[str, SingleArray]) -> Sequence[NDArray[np.generic]]:
-        """The outputs of these names."""
-        ...
 
 
 @dataclass(frozen=True, slots=True, eq=False)

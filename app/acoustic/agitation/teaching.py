@@ -28,7 +28,7 @@ MOST_LEFT_OUT = 12
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Taught:
+class LabelledRecordings:
     """Recordings with their labels: `features` (recordings, features), NaN where unknown, `memberships` (recordings, 3)
     in the order of `Level`, each summing to 1, and `speakers` (recordings,)."""
 
@@ -36,9 +36,9 @@ class Taught:
     memberships: FloatArray
     speakers: NDArray[np.str_]
 
-    def where(self, chosen: NDArray[np.bool_]) -> "Taught":
+    def where(self, chosen: NDArray[np.bool_]) -> "LabelledRecordings":
         """The chosen recordings."""
-        return Taught(self.features[chosen], self.memberships[chosen], self.speakers[chosen])
+        return LabelledRecordings(self.features[chosen], self.memberships[chosen], self.speakers[chosen])
 
     @property
     def groups(self) -> NDArray[np.str_]:
@@ -64,13 +64,13 @@ class LeftOut:
         return sum(self.by_level) / len(self.by_level)
 
 
-def teach(taught: Taught, feature_set: str) -> AgitationModel:
+def teach(taught: LabelledRecordings, feature_set: str) -> AgitationModel:
     """The model; raises InputError `labels_wrong` for too few recordings of a level."""
     _require_enough(taught)
     return _trained(taught, feature_set, _chosen(taught))
 
 
-def left_out(taught: Taught, feature_set: str) -> LeftOut:
+def left_out(taught: LabelledRecordings, feature_set: str) -> LeftOut:
     """The accuracy on each recording of models that have not heard its speaker; raises as `teach` does."""
     _require_enough(taught)
     groups, right = taught.groups, np.zeros(len(taught.speakers), dtype=bool)
@@ -86,7 +86,7 @@ def left_out(taught: Taught, feature_set: str) -> LeftOut:
     return LeftOut(by, len(levels), len(set(taught.speakers.tolist())), by_level)
 
 
-def _trained(taught: Taught, feature_set: str, kernel: Kernel) -> AgitationModel:
+def _trained(taught: LabelledRecordings, feature_set: str, kernel: Kernel) -> AgitationModel:
     typical, weights = _typical(taught), _weights(taught)
     features = typical.completed(taught.features)
     relative = np.array(
@@ -96,7 +96,7 @@ def _trained(taught: Taught, feature_set: str, kernel: Kernel) -> AgitationModel
     return AgitationModel(feature_set, typical, unknown_speaker=unknown, known_speaker=known)
 
 
-def _typical(taught: Taught) -> TypicalSpeaker:
+def _typical(taught: LabelledRecordings) -> TypicalSpeaker:
     """The mean over recordings, and the deviation within a speaker's; over all recordings where each speaker has but
     one."""
     names = sorted(set(taught.speakers.tolist()))
@@ -116,14 +116,14 @@ def _relative(
     return typical.relative(features[row], SpeakerReference.of(feature_set, others) if len(others) else nobody)
 
 
-def _weights(taught: Taught) -> FloatArray:
+def _weights(taught: LabelledRecordings) -> FloatArray:
     """The memberships, scaled so that each level has the same sum, 1 on average over recordings."""
     shares = taught.memberships / taught.memberships.sum(axis=0)
     weights: FloatArray = shares * (len(shares) / shares.sum())
     return weights
 
 
-def _chosen(taught: Taught) -> Kernel:
+def _chosen(taught: LabelledRecordings) -> Kernel:
     """The kernel with which held-out recordings surprise least."""
     features, weights = _typical(taught).completed(taught.features), _weights(taught)
     kernels = list(_kernels(features.shape[1]))
@@ -148,7 +148,7 @@ def _surprise(features: FloatArray, weights: FloatArray, groups: NDArray[np.str_
     return -float(np.sum(weights * log_softmax(values * slopes + offsets, axis=1)) / weights.sum())
 
 
-def _teaches_without(taught: Taught, groups: NDArray[np.str_]) -> bool:
+def _teaches_without(taught: LabelledRecordings, groups: NDArray[np.str_]) -> bool:
     """Whether, whoever is left out and then again of the rest, two recordings of each level are left."""
     folds = list(speaker_folds(groups, 2))
     return len(set(groups.tolist())) > 2 and all(
@@ -156,7 +156,7 @@ def _teaches_without(taught: Taught, groups: NDArray[np.str_]) -> bool:
     )
 
 
-def _require_enough(taught: Taught) -> None:
+def _require_enough(taught: LabelledRecordings) -> None:
     counts = np.count_nonzero(taught.memberships, axis=0).tolist()
     few = [f"{level.value}: {count}" for level, count in zip(Level, counts, strict=True) if count < FEWEST_OF_A_LEVEL]
     if few:

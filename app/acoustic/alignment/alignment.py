@@ -20,7 +20,7 @@ from ..pronunciation.normalisation import Normaliser
 from ..pronunciation.pronunciation import Pronouncer, Pronunciation
 from ..signal.background import FRAME_S, frame_power
 from .boundaries import BoundaryModel
-from .decoder_process import FRAMES_PER_S, Decoded, DecodedPhone, DecoderProcess
+from .decoder_process import FRAMES_PER_S, DecodedLine, DecodedPhone, DecoderProcess
 from .fit import check_fit, check_found
 from .pieces import decode_in_pieces
 
@@ -131,11 +131,11 @@ class Aligner:
             self._normaliser.capitalized(words),
         )
 
-    def decode(self, audio: Audio, words: tuple[Word, ...]) -> Decoded | None:
+    def decode(self, audio: Audio, words: tuple[Word, ...]) -> DecodedLine | None:
         """The phones of the words where the decoder has them, whether they fit or not; None if it finds no path."""
         return self._decoded(audio.samples, self._pronounced(words)[0])
 
-    def _decoded(self, samples: FloatArray, spoken: list[_Spoken]) -> Decoded | None:
+    def _decoded(self, samples: FloatArray, spoken: list[_Spoken]) -> DecodedLine | None:
         """The phones of the words; None if the decoder finds no path."""
         words = [[" ".join(phones) for phones in each.variants] for word in spoken for each in word.pronunciations]
         return decode_in_pieces(self._process, samples, words)

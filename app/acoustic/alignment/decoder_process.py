@@ -57,7 +57,7 @@ class DecodedPhone:
 
 
 @dataclass(frozen=True, slots=True)
-class Decoded:
+class DecodedLine:
     """The phones of each word, and fillers ("um") that are not in the transcript."""
 
     words: list[list[DecodedPhone]]
@@ -100,7 +100,7 @@ class DecoderProcess:
         with self._turn:
             self._running()
 
-    def align(self, audio: bytes, words: Sequence[Pronunciations]) -> Decoded | None:
+    def align(self, audio: bytes, words: Sequence[Pronunciations]) -> DecodedLine | None:
         """The phones of each word; None if the decoder finds no path.
 
         `audio` is 16-bit mono at 16 kHz. Raises ServiceError `aligner_crashed` if the worker dies or exceeds the time
@@ -110,7 +110,7 @@ class DecoderProcess:
         if answer["words"] is None:
             return None
         decoded = [[DecodedPhone(*phone) for phone in word] for word in answer["words"]]
-        return Decoded(decoded, [DecodedPhone(*filler) for filler in answer["fillers"]])
+        return DecodedLine(decoded, [DecodedPhone(*filler) for filler in answer["fillers"]])
 
     def find(self, audio: bytes, words: Sequence[Pronunciations]) -> list[FrameSpan]:
         """Approximate times of those words that `audio`, the first stretch of a longer recording, contains, and of the

@@ -22,7 +22,7 @@ from .decoder_process import (
     FRAME_SAMPLES,
     FRAMES_PER_S,
     PADDING_FRAMES,
-    Decoded,
+    DecodedLine,
     DecodedPhone,
     DecoderProcess,
     FrameSpan,
@@ -62,7 +62,9 @@ class Cut:
     frame: int
 
 
-def decode_in_pieces(process: DecoderProcess, samples: FloatArray, words: Sequence[Pronunciations]) -> Decoded | None:
+def decode_in_pieces(
+    process: DecoderProcess, samples: FloatArray, words: Sequence[Pronunciations]
+) -> DecodedLine | None:
     """The phones of all `words`, in frames from the first sample; None if the decoder finds no path.
 
     Raises as `DecoderProcess.align` does; its time limit applies to each piece.
@@ -82,7 +84,7 @@ def decode_in_pieces(process: DecoderProcess, samples: FloatArray, words: Sequen
         decoded = decoded.delayed(start.frame)
         found += decoded.words
         fillers += decoded.fillers
-    return Decoded(found, fillers)
+    return DecodedLine(found, fillers)
 
 
 def cuts_in_pauses(spans: Sequence[FrameSpan], frames: int) -> list[Cut]:
@@ -130,7 +132,7 @@ def _sayable(words: Sequence[Pronunciations], duration_s: float) -> Sequence[Pro
     return words[: int(np.searchsorted(counts, MOST_PHONES_PER_S * duration_s, side="right"))]
 
 
-def decode_speech(process: DecoderProcess, samples: FloatArray, words: Sequence[Pronunciations]) -> Decoded | None:
+def decode_speech(process: DecoderProcess, samples: FloatArray, words: Sequence[Pronunciations]) -> DecodedLine | None:
     """The phones of the words, in frames from the first sample, none of them stretched over music or a pause; None if
     the decoder finds no path.
 
@@ -146,12 +148,12 @@ def decode_speech(process: DecoderProcess, samples: FloatArray, words: Sequence[
     return decoded
 
 
-def _decoded(process: DecoderProcess, samples: FloatArray, words: Sequence[Pronunciations]) -> Decoded | None:
+def _decoded(process: DecoderProcess, samples: FloatArray, words: Sequence[Pronunciations]) -> DecodedLine | None:
     decoded = process.align(pcm(samples), words)
     return decoded.delayed(-PADDING_FRAMES) if decoded else None
 
 
-def silenced(samples: FloatArray, decoded: Decoded) -> FloatArray | None:
+def silenced(samples: FloatArray, decoded: DecodedLine) -> FloatArray | None:
     """The signal without the sounds that are too long in `decoded`; None if there are none."""
     long = _too_long(decoded)
     if not long:
@@ -163,7 +165,7 @@ def silenced(samples: FloatArray, decoded: Decoded) -> FloatArray | None:
     return rest
 
 
-def fits_better(one: Decoded, other: Decoded) -> bool:
+def fits_better(one: DecodedLine, other: DecodedLine) -> bool:
     """Whether `one` fits its audio clearly better than `other`, or as well and without sounds that nobody can
     sustain."""
     gain = _mean_score(one) - _mean_score(other)
@@ -171,10 +173,10 @@ def fits_better(one: Decoded, other: Decoded) -> bool:
     return gain > CLEARLY_BETTER or (was_no_speech and gain > -CLEARLY_BETTER)
 
 
-def _too_long(decoded: Decoded) -> list[DecodedPhone]:
+def _too_long(decoded: DecodedLine) -> list[DecodedPhone]:
     sounds = [phone for word in decoded.words for phone in word] + decoded.fillers
     return [each for each in sounds if each.frames > LONGEST_SOUND_FRAMES]
 
 
-def _mean_score(decoded: Decoded) -> float:
+def _mean_score(decoded: DecodedLine) -> float:
     return float(np.mean([phone.score / phone.frames for word in decoded.words for phone in word]))

@@ -39,7 +39,7 @@ _ONLY_ERRORS = 3
 class Session(Protocol):
     """The part of ONNX Runtime's `InferenceSession` that we use; the library has no types."""
 
-    def run(self, output_names: Sequence[str], input_feed: Mapping[str, NDArray[Any]]) -> Sequence[SingleArray]: ...
+    def run(self, output_names: Sequence[str], input_feed: Mapping[str, NDArray[Any]]) -> Sequence[NDArray[Any]]: ...
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -27,7 +27,7 @@ _LOGGER = logging.getLogger("understudy.requests")
 
 def guard(app: FastAPI, admission: Admission) -> None:
     """Adds the middleware to `app`, whose errors are problem documents already."""
-    app.add_middleware(Admitted, admission=admission)
+    app.add_middleware(AdmissionMiddleware, admission=admission)
     app.add_exception_handler(Exception, _marked_failure)
 
 
@@ -38,7 +38,7 @@ async def _marked_failure(request: Request, error: Exception) -> Response:
     return answer
 
 
-class Admitted:
+class AdmissionMiddleware:
     """ASGI middleware that applies an `Admission`."""
 
     def __init__(self, app: ASGIApp, admission: Admission) -> None:

@@ -54,7 +54,7 @@ class Answer:
 
 
 @dataclass(frozen=True, slots=True)
-class Failed:
+class JobFailure:
     """The error of a job."""
 
     error: UnderstudyError
@@ -71,7 +71,7 @@ class Start:
 
 
 @dataclass(frozen=True, slots=True)
-class Loaded:
+class LoadedLibrary:
     """From the nursery, after each loading: the library as JSON, by path."""
 
     library: Mapping[str, bytes]
@@ -115,7 +115,7 @@ class LiveOutput:
     are_frames: bool
 
 
-Message: TypeAlias = Job | Answer | Failed | Start | Loaded | Fork | Reload | Ready | LiveInput | LiveOutput
+Message: TypeAlias = Job | Answer | JobFailure | Start | LoadedLibrary | Fork | Reload | Ready | LiveInput | LiveOutput
 
 
 def send(to: socket.socket, message: Message, content: Content = b"", *, pass_on: tuple[int, ...] = ()) -> None:

@@ -37,7 +37,7 @@ from ...schemas.gestures.language import GestureLanguageResponse
 from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
 from ...schemas.rules import RuleFileResponse
 from .live_worker import stream
-from .messages import Failed, Fork, Loaded, Reload, Start, receive, send
+from .messages import Fork, JobFailure, LoadedLibrary, Reload, Start, receive, send
 from .worker import work
 
 STEPS = 50
@@ -61,10 +61,10 @@ def main(control: socket.socket) -> None:
         if not start.is_renewal:
             _warm(models)
     except UnderstudyError as error:
-        send(control, Failed(error))
+        send(control, JobFailure(error))
         return
     with suppress(BrokenPipeError):  # the service has ended meanwhile, which the next receive notices
-        send(control, Loaded(_library(understudy)))
+        send(control, LoadedLibrary(_library(understudy)))
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # ended workers are reaped by the kernel
     with suppress(EOFError):  # the service has closed its end
         if start.is_renewal:
@@ -133,9 +133,9 @@ def _reloaded(control: socket.socket, models: LiveModels) -> LiveModels:
     try:
         again = LiveModels.load(read_again(models.understudy))
     except UnderstudyError as error:
-        send(control, Failed(error))
+        send(control, JobFailure(error))
         return models
-    send(control, Loaded(_library(again.understudy)))
+    send(control, LoadedLibrary(_library(again.understudy)))
     return again
 
 

@@ -15,8 +15,8 @@ from typing import Self
 from ...errors import ServiceError, UnderstudyError
 from ...settings import Settings
 from .limits import Deadline, too_large
-from .messages import Answer, Content, Failed, Job
-from .processes import Nursery, Seen, Worker, WorkerLostError, is_stopped, look, wait_until_gone
+from .messages import Answer, Content, Job, JobFailure
+from .processes import Nursery, Worker, WorkerLostError, WorkerState, is_stopped, look, wait_until_gone
 from .turns import ServiceTimes, Turns
 
 _LOGGER = logging.getLogger(__name__)
@@ -54,7 +54,7 @@ class Pool:
         self._turns = Turns()
         self._renewing: asyncio.Task[None] | None = None
         self._watch: asyncio.Task[None] | None = None
-        self._seen: tuple[Seen, ...] = ()
+        self._seen: tuple[WorkerState, ...] = ()
         self._is_stopping = False
         self._is_closed = False
 
@@ -179,7 +179,7 @@ class Pool:
             self._dismiss(worker)
             raise
         self._times.add(asyncio.get_running_loop().time() - began_s)
-        code = answer.error.code if isinstance(answer, Failed) else None
+        code = answer.error.code if isinstance(answer, JobFailure) else None
         self._give_back(worker, is_spent=code in _SPENT)
         if isinstance(answer, Answer):
             return answer, body

@@ -20,10 +20,10 @@ from .families import family_of
 from .messages import (
     Answer,
     Content,
-    Failed,
     Fork,
     Job,
-    Loaded,
+    JobFailure,
+    LoadedLibrary,
     Ready,
     Reload,
     Start,
@@ -152,9 +152,9 @@ class Nursery:
             message, _, _ = receive(self._control)
         except (EOFError, OSError):
             raise _ended() from None
-        if isinstance(message, Failed):
+        if isinstance(message, JobFailure):
             raise message.error
-        assert isinstance(message, Loaded)
+        assert isinstance(message, LoadedLibrary)
         self.library = message.library
 
 
@@ -186,7 +186,7 @@ class Worker:
             service.close()
             raise
 
-    async def answer(self, job: Job, content: Content) -> tuple[Answer | Failed, bytearray]:
+    async def answer(self, job: Job, content: Content) -> tuple[Answer | JobFailure, bytearray]:
         """The answer to a job; raises WorkerLostError. If this is cancelled, the caller must `end` the worker."""
         self.jobs += 1
         self.given_up = None
@@ -197,7 +197,7 @@ class Worker:
             if self.given_up is not None:
                 raise self.given_up from None
             raise WorkerLostError from None
-        assert isinstance(answer, Answer | Failed)
+        assert isinstance(answer, Answer | JobFailure)
         return answer, body
 
     @property
@@ -235,7 +235,7 @@ def _ended() -> ServiceError:
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
+class WorkerState:
     """A worker as seen from outside; `trouble` is why it must be replaced, or None."""
 
     worker: Worker
@@ -243,7 +243,7 @@ class Seen:
     is_too_large: bool = False
 
 
-def look(workers: Sequence[Worker], limit_bytes: int) -> tuple[Seen, ...]:
+def look(workers: Sequence[Worker], limit_bytes: int) -> tuple[WorkerState, ...]:
     """The state of each worker with its children. Memory counts beyond what was shared when the worker began."""
     return tuple(_seen(worker, limit_bytes) for worker in workers)
 
@@ -256,7 +256,7 @@ def is_stopped(pid: int) -> bool:
         return False
 
 
-def _seen(worker: Worker, limit_bytes: int) -> Seen:
+def _seen(worker: Worker, limit_bytes: int) -> WorkerState:
     pid = worker.process.pid
     try:
         family = family_of(worker.process)
@@ -264,11 +264,11 @@ def _seen(worker: Worker, limit_bytes: int) -> Seen:
         grown_bytes = sum(each.memory_info().rss for each in family) - worker.shared_bytes
     except psutil.NoSuchProcess:
         if worker.process.is_running():
-            return Seen(worker, None)  # a process of its own ended as it was looked at
-        return Seen(worker, f"worker {pid} has ended and is being replaced")
+            return WorkerState(worker, None)  # a process of its own ended as it was looked at
+        return WorkerState(worker, f"worker {pid} has ended and is being replaced")
     if stopped:
         whose = "it" if pid in stopped else "its aligner"
-        return Seen(worker, f"worker {pid} is being replaced: {whose} was stopped")
+        return WorkerState(worker, f"worker {pid} is being replaced: {whose} was stopped")
     if grown_bytes > limit_bytes:
-        return Seen(worker, f"worker {pid} is being replaced: it took too much memory", is_too_large=True)
-    return Seen(worker, None)
+        return WorkerState(worker, f"worker {pid} is being replaced: it took too much memory", is_too_large=True)
+    return WorkerState(worker, None)

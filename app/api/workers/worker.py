@@ -15,7 +15,7 @@ from ...models import Understudy
 from .answering import answered
 from .families import end, end_with
 from .limits import limit_memory, too_large
-from .messages import Answer, Failed, Job, Ready, receive, send
+from .messages import Answer, Job, JobFailure, Ready, receive, send
 
 _LOGGER = logging.getLogger(__name__)
 
@@ -39,13 +39,13 @@ def work(service: socket.socket, understudy: Understudy) -> None:
     end()
 
 
-def _answer(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer | Failed, bytes]:
+def _answer(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer | JobFailure, bytes]:
     try:
         return answered(understudy, job, content)
     except UnderstudyError as error:
-        return Failed(error), b""
+        return JobFailure(error), b""
     except MemoryError:
-        return Failed(too_large(understudy.acoustic.settings.worker_memory_bytes)), b""
+        return JobFailure(too_large(understudy.acoustic.settings.worker_memory_bytes)), b""
     except Exception:
         _LOGGER.exception("a mistake of ours at a request to %s", job.task)
-        return Failed(ServiceError("internal_error", "see the log")), b""
+        return JobFailure(ServiceError("internal_error", "see the log")), b""

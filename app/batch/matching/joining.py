@@ -41,7 +41,7 @@ class Missing:
 
 
 @dataclass(frozen=True, slots=True)
-class Joined:
+class JoinedLines:
     """The lines with their recordings; unmatched lines and recordings; and duplicates: recordings of the same take of a
     line, and lines with the same recording."""
 
@@ -59,7 +59,7 @@ def join_recordings(
     choice: TakeChoice = TakeChoice.LAST,
     *,
     unreadable: Sequence[RecordingFile] = (),
-) -> Joined:
+) -> JoinedLines:
     """Matches the lines with the recordings; a line without any may have one that is `unreadable` here."""
     candidates_of = _finder(files, pattern)
     found = [(line, candidates_of(line)) for line in lines]
@@ -69,7 +69,7 @@ def join_recordings(
     unused = tuple(file for file in files if file.path not in seen)
     near = NearNames(file.stem for file in unused)
     unreadable_of = _finder(unreadable, pattern)
-    return Joined(
+    return JoinedLines(
         takes,
         tuple(
             Missing(line, near.nearest(_wanted(line)), next((file.path for file, _take in unreadable_of(line)), None))
@@ -82,10 +82,10 @@ def join_recordings(
     )
 
 
-def join_one_recording(lines: Sequence[ScriptLine], recording: Path) -> Joined:
+def join_one_recording(lines: Sequence[ScriptLine], recording: Path) -> JoinedLines:
     """Lines cut out of one recording by their times; lines without times are missing."""
     takes = [Take(line.id, line, Recording(recording, line.interval), line.take) for line in lines if line.interval]
-    return Joined(tuple(takes), tuple(Missing(line, None) for line in lines if not line.interval))
+    return JoinedLines(tuple(takes), tuple(Missing(line, None) for line in lines if not line.interval))
 
 
 def _finder(files: Sequence[RecordingFile], pattern: RecordingPattern | None) -> Callable[[ScriptLine], Candidates]:

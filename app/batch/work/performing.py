@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...errors import InputError
-from ...library.motion import AvatarOptions, PreparedSchedule, Realized, realize_prepared, write_realized
+from ...library.motion import AvatarOptions, PreparedSchedule, RealizedSchedule, realize_prepared, write_realized
 from ...library.performing import perform_line
 from ...library.writing import (
     listener_part,
@@ -59,7 +59,7 @@ def _parts(performance: Performance) -> Iterator[tuple[str, Performance]]:
         yield listening.name, listener_part(performance, listening)
 
 
-def _realized(job: LineJob, models: Understudy, performance: Performance) -> Mapping[str, Realized]:
+def _realized(job: LineJob, models: Understudy, performance: Performance) -> Mapping[str, RealizedSchedule]:
     """The motion of each part, if a format needs it."""
     if not needs_motion([target.form for target in job.targets]):
         return {}
@@ -72,7 +72,7 @@ def _realized(job: LineJob, models: Understudy, performance: Performance) -> Map
 
 
 def _files(
-    job: LineJob, models: Understudy, audio: bytes, performance: Performance, realized: Mapping[str, Realized]
+    job: LineJob, models: Understudy, audio: bytes, performance: Performance, realized: Mapping[str, RealizedSchedule]
 ) -> Iterator[OutputFile]:
     wearer = AvatarOptions(job.motion.skeleton)
     options = FileOptions(audio=AudioFile(job.audio.path.name, audio), blender=models.acoustic.settings.blender)
@@ -113,7 +113,7 @@ def _file(target: OutputTarget, listener: str, content: bytes) -> OutputFile:
     return OutputFile(target.form, path, len(content), listener, content)
 
 
-def _measures(analysis: Analysis, performance: Performance, realized: Realized | None) -> Measures:
+def _measures(analysis: Analysis, performance: Performance, realized: RealizedSchedule | None) -> Measures:
     utterance = performance.utterance
     kept = [behavior for behavior in performance.behaviors if behavior.kept]
     gestures = [behavior for behavior in performance.behaviors if behavior.kind is Channel.GESTURE]
@@ -132,7 +132,7 @@ def _measures(analysis: Analysis, performance: Performance, realized: Realized |
     )
 
 
-def _unplayed(realized: Realized) -> int:
+def _unplayed(realized: RealizedSchedule) -> int:
     """The number of movements that are missing or come late."""
     return sum(decision.action in _NOT_AS_ASKED for decision in realized.motion.decisions)
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from itertools import combinations, compress
 
 from ...errors import InputError, did_you_mean, shown
-from ...model import Avoidance, Behavior, Channel, DirectedMoment, Direction, Moment, Notice, Rejected, Term
+from ...model import Avoidance, Behavior, Channel, DirectedMoment, Direction, Moment, Notice, RejectedAlternative, Term
 from .vocabulary import ANYTHING, AVOIDABLE, HANDS, KINDS, NEUTRAL, STILL
 
 FIELD = "direction"
@@ -144,7 +144,9 @@ def _moment(note: _Note, direction: Direction, planned: Iterable[Moment], ranked
         importance=ranked_above + own.importance,
         terms=(Term(DIRECTOR, float(own.importance)),),
         rejected=tuple(
-            Rejected(moment.families, moment.importance, reason) for moment in planned if note.displaces(moment)
+            RejectedAlternative(moment.families, moment.importance, reason)
+            for moment in planned
+            if note.displaces(moment)
         ),
         note=note.number,
     )

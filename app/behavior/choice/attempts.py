@@ -13,8 +13,8 @@ from ...model import Alternative, Behavior, BehaviorCandidates, Channel, Hand, W
 from ..characters.overlays import Character
 from ..reading.player import Ban
 from ..timing.anchoring import PlacedBehavior, asked
-from ..timing.conflicts import Fitted, fitted
-from ..timing.time_index import KeptByTime
+from ..timing.conflicts import FittedBehavior, fitted
+from ..timing.time_index import TimeIndex
 from .hands import (
     HAND_SWITCH_S,
     fitted_as_asked,
@@ -46,16 +46,16 @@ class Attempt:
     """An alternative as it would be made: everything kept with it, its own part of that, and its behaviours that
     lost."""
 
-    kept: KeptByTime
-    own: tuple[Fitted, ...]
+    kept: TimeIndex
+    own: tuple[FittedBehavior, ...]
     lost: tuple[Behavior, ...]
 
 
 def attempted(
-    offer: BehaviorCandidates, alternative: Alternative, number: int, *, kept: KeptByTime, line: ChoiceContext
+    offer: BehaviorCandidates, alternative: Alternative, number: int, *, kept: TimeIndex, line: ChoiceContext
 ) -> Attempt:
     """The attempt at one of the offer's alternatives, `number` in the order of their luck."""
-    own: list[Fitted] = []
+    own: list[FittedBehavior] = []
     lost: list[Behavior] = []
     for place, movement in enumerate(alternative.movements):
         name = f"{movement.moment or movement.function}.{number}.{place}"
@@ -63,7 +63,7 @@ def attempted(
         candidate = asked(movement, entry, line.timed, name, may_be_brief=not is_planned(offer))
         candidate = with_hand(candidate, kept, line.character.handedness)
         outcome = _outcome(candidate, offer, kept, line, hand=entry.hand)
-        if isinstance(outcome, Fitted):
+        if isinstance(outcome, FittedBehavior):
             own.append(outcome)
             kept = outcome.kept
         else:
@@ -72,8 +72,8 @@ def attempted(
 
 
 def _outcome(
-    candidate: PlacedBehavior, offer: BehaviorCandidates, kept: KeptByTime, line: ChoiceContext, *, hand: Hand | None
-) -> Fitted | Behavior:
+    candidate: PlacedBehavior, offer: BehaviorCandidates, kept: TimeIndex, line: ChoiceContext, *, hand: Hand | None
+) -> FittedBehavior | Behavior:
     """The candidate among the kept, or its behaviour as a loser; a director's notes are not limited by the character's
     rate. `hand` is that of the table."""
     planned = is_planned(offer)
@@ -88,7 +88,7 @@ def _outcome(
     return fitted_as_asked(candidate, kept, hand=hand, by_either_hand=_is_worth_a_hand(offer))
 
 
-def count_made(offers: Iterable[BehaviorCandidates], kept: KeptByTime, line: ChoiceContext) -> int:
+def count_made(offers: Iterable[BehaviorCandidates], kept: TimeIndex, line: ChoiceContext) -> int:
     """How many of the offers that need the hands can be made one after the other, or are made already, beside the
     kept."""
     count = 0
@@ -109,7 +109,7 @@ def _is_worth_a_hand(offer: BehaviorCandidates) -> bool:
     return offer.function is None or offer.function.class_name not in WEIGHT
 
 
-def _with_gesture(alternative: Alternative, kept: KeptByTime, line: ChoiceContext) -> KeptByTime | None:
+def _with_gesture(alternative: Alternative, kept: TimeIndex, line: ChoiceContext) -> TimeIndex | None:
     """What is kept with the gesture of an alternative that is asked for; None where it cannot be made."""
     for movement in alternative.movements:
         entry = line.character.entries[movement.name]
@@ -119,11 +119,11 @@ def _with_gesture(alternative: Alternative, kept: KeptByTime, line: ChoiceContex
             if made_already(candidate.behavior, kept) is not None:
                 return kept
             outcome = fitted_by_either_hand(candidate, kept, hand=entry.hand)
-            return outcome.kept if isinstance(outcome, Fitted) else None
+            return outcome.kept if isinstance(outcome, FittedBehavior) else None
     return None
 
 
-def _refused(behavior: Behavior, kept: KeptByTime, line: ChoiceContext, *, planned: bool) -> Behavior | None:
+def _refused(behavior: Behavior, kept: TimeIndex, line: ChoiceContext, *, planned: bool) -> Behavior | None:
     """The gesture as a loser, if the character would not make it beside those it makes; else None."""
     if behavior.kind is not Channel.GESTURE:
         return None

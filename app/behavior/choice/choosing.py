@@ -17,7 +17,7 @@ from math import inf
 from ...model import Alternative, Behavior, BehaviorCandidates, Channel
 from ..timing.anchoring import asked, interval_of, words_before
 from ..timing.conflicts import Kept
-from ..timing.time_index import KeptByTime
+from ..timing.time_index import TimeIndex
 from .attempts import Attempt, ChoiceContext, attempted, count_made, is_planned
 from .hands import HAND_SWITCH_S, stroke_s, switches
 
@@ -58,12 +58,12 @@ NEAR_UNIT_S = 1.0
 """A gesture that begins this soon after the end of another could have joined it."""
 
 
-def has_idle_hands(kept: KeptByTime, line: ChoiceContext) -> bool:
+def has_idle_hands(kept: TimeIndex, line: ChoiceContext) -> bool:
     """Whether the character usually gestures more than is kept."""
     return kept.gestures < line.most_gestures
 
 
-def _begun_around(behavior: Behavior, kept: KeptByTime) -> Kept:
+def _begun_around(behavior: Behavior, kept: TimeIndex) -> Kept:
     return kept.near(behavior.sync.start - HEAD_REPEAT_S, behavior.sync.start + HEAD_REPEAT_S)
 
 
@@ -73,7 +73,7 @@ def _repeats(behavior: Behavior, other: Behavior) -> bool:
     return abs(other.sync.start - behavior.sync.start) < HEAD_REPEAT_S
 
 
-def _habit(gesture: Behavior, kept: KeptByTime) -> float:
+def _habit(gesture: Behavior, kept: TimeIndex) -> float:
     """How well a gesture suits the others around it (paper §3.4: against inordinate switching of hands and repeating a
     gesture). The worth of planned gestures takes account of what was shown just before, and switching is refused."""
     if gesture.moment:
@@ -86,7 +86,7 @@ def _habit(gesture: Behavior, kept: KeptByTime) -> float:
     return (REPEATED if repeated else 1.0) * (HAND_SWITCHED if switched else 1.0)
 
 
-def _unity(gesture: Behavior, kept: KeptByTime, strokes_per_unit: int) -> float:
+def _unity(gesture: Behavior, kept: TimeIndex, strokes_per_unit: int) -> float:
     """How well a gesture suits its neighbours: single or joined, in units no longer than the character's."""
     strokes = 1 + sum(1 for _ in _joined_before(gesture, kept)) + sum(1 for _ in _joined_after(gesture, kept))
     if strokes > strokes_per_unit:
@@ -98,7 +98,7 @@ def _unity(gesture: Behavior, kept: KeptByTime, strokes_per_unit: int) -> float:
     return MISSING_THE_UNIT if near and strokes == 1 else 1.0
 
 
-def _joined_before(gesture: Behavior, kept: KeptByTime) -> Iterator[Behavior]:
+def _joined_before(gesture: Behavior, kept: TimeIndex) -> Iterator[Behavior]:
     at_s = gesture.sync.start
     for other in kept.gestures_near(at_s - NEAR_UNIT_S, at_s + NEAR_UNIT_S):
         if other.sync.end == at_s:
@@ -106,7 +106,7 @@ def _joined_before(gesture: Behavior, kept: KeptByTime) -> Iterator[Behavior]:
             yield from _joined_before(other, kept)
 
 
-def _joined_after(gesture: Behavior, kept: KeptByTime) -> Iterator[Behavior]:
+def _joined_after(gesture: Behavior, kept: TimeIndex) -> Iterator[Behavior]:
     at_s = gesture.sync.end
     for other in kept.gestures_near(at_s - NEAR_UNIT_S, at_s + NEAR_UNIT_S):
         if other.sync.start == at_s:
@@ -130,7 +130,7 @@ NEAR_WORDS = 3
 
 def choose(candidates: Iterable[BehaviorCandidates], line: ChoiceContext) -> tuple[Kept, tuple[Behavior, ...]]:
     """What is kept, and what was asked for and is not, with the reasons; at most one alternative for each function."""
-    kept = KeptByTime()
+    kept = TimeIndex()
     lost: list[Behavior] = []
     offers = sorted(candidates, key=partial(_rank, line=line))
     manual: dict[int, dict[int, BehaviorCandidates]] = {}
@@ -171,7 +171,7 @@ def _is_hurried(offer: BehaviorCandidates, line: ChoiceContext) -> bool:
 
 
 def _best(
-    offer: BehaviorCandidates, kept: KeptByTime, line: ChoiceContext, waiting: Sequence[BehaviorCandidates]
+    offer: BehaviorCandidates, kept: TimeIndex, line: ChoiceContext, waiting: Sequence[BehaviorCandidates]
 ) -> Attempt:
     """The attempt that wins; what the luckiest alternative lost is reported with it. `waiting` are the offers
     nearby that are yet to choose and can only use the hands."""

@@ -14,9 +14,9 @@ from ...model import Behavior, Channel, Hand
 from ...model.limits.gesture_limits import Forms
 from ..table.behavior_table import Timing
 from ..timing.anchoring import PlacedBehavior
-from ..timing.conflicts import REACH_S, Fitted, compete, fitted
+from ..timing.conflicts import REACH_S, FittedBehavior, compete, fitted
 from ..timing.phases import Window, placed
-from ..timing.time_index import KeptByTime
+from ..timing.time_index import TimeIndex
 
 HAND_SWITCH_S = 2.0
 """The hand in use stays in use for this long."""
@@ -29,7 +29,7 @@ _SLACK_S = 1e-6
 _OTHER: Mapping[Hand | None, Hand] = MappingProxyType({Hand.LEFT: Hand.RIGHT, Hand.RIGHT: Hand.LEFT})
 
 
-def with_hand(candidate: PlacedBehavior, kept: KeptByTime, own_hand: Hand) -> PlacedBehavior:
+def with_hand(candidate: PlacedBehavior, kept: TimeIndex, own_hand: Hand) -> PlacedBehavior:
     """The candidate with its hand: a gesture that may take either takes the one in use around then, else the
     character's own."""
     behavior = candidate.behavior
@@ -46,8 +46,8 @@ def with_hand(candidate: PlacedBehavior, kept: KeptByTime, own_hand: Hand) -> Pl
 
 
 def fitted_as_asked(
-    candidate: PlacedBehavior, kept: KeptByTime, *, hand: Hand | None, by_either_hand: bool
-) -> Fitted | Behavior:
+    candidate: PlacedBehavior, kept: TimeIndex, *, hand: Hand | None, by_either_hand: bool
+) -> FittedBehavior | Behavior:
     """What a function or a director asks for among the kept, or its behaviour as a loser; `by_either_hand` allows
     another hand. `hand` is that of the table, None if it may be either."""
     same = made_already(candidate.behavior, kept)
@@ -56,19 +56,21 @@ def fitted_as_asked(
     return fitted_by_either_hand(candidate, kept, hand=hand) if by_either_hand else _fitted_alone(candidate, kept)
 
 
-def fitted_by_either_hand(candidate: PlacedBehavior, kept: KeptByTime, *, hand: Hand | None) -> Fitted | Behavior:
+def fitted_by_either_hand(
+    candidate: PlacedBehavior, kept: TimeIndex, *, hand: Hand | None
+) -> FittedBehavior | Behavior:
     """The candidate among the kept, with its own hand or else the other, or beside a gesture of both hands that is
     reduced to one."""
     outcome = _fitted_alone(candidate, kept)
     for made, beside in _by_other_hands(candidate, kept, hand):
-        if isinstance(outcome, Fitted):
+        if isinstance(outcome, FittedBehavior):
             return outcome
         by_other = _fitted_alone(made, beside)
-        outcome = by_other if isinstance(by_other, Fitted) else outcome
+        outcome = by_other if isinstance(by_other, FittedBehavior) else outcome
     return outcome
 
 
-def made_already(gesture: Behavior, kept: KeptByTime) -> Behavior | None:
+def made_already(gesture: Behavior, kept: TimeIndex) -> Behavior | None:
     """A kept gesture that is the same at the same time, or None."""
     return next((each for each in _at_once(gesture, kept) if each.lexeme == gesture.lexeme), None)
 
@@ -87,7 +89,7 @@ def stroke_s(gesture: Behavior) -> float:
     return gesture.sync.stroke if gesture.sync.stroke is not None else gesture.sync.start
 
 
-def _fitted_alone(candidate: PlacedBehavior, kept: KeptByTime) -> Fitted | Behavior:
+def _fitted_alone(candidate: PlacedBehavior, kept: TimeIndex) -> FittedBehavior | Behavior:
     """The candidate among the kept, unless the other hand has a simultaneous stroke."""
     for other in _at_once(candidate.behavior, kept):
         if switches(other, candidate.behavior):
@@ -95,7 +97,7 @@ def _fitted_alone(candidate: PlacedBehavior, kept: KeptByTime) -> Fitted | Behav
     return fitted(candidate, kept)
 
 
-def _at_once(gesture: Behavior, kept: KeptByTime) -> Iterator[Behavior]:
+def _at_once(gesture: Behavior, kept: TimeIndex) -> Iterator[Behavior]:
     if gesture.kind is Channel.GESTURE:
         at_s = stroke_s(gesture)
         gestures = kept.gestures_near(at_s - AT_ONCE_S, at_s + AT_ONCE_S)
@@ -103,8 +105,8 @@ def _at_once(gesture: Behavior, kept: KeptByTime) -> Iterator[Behavior]:
 
 
 def _by_other_hands(
-    candidate: PlacedBehavior, kept: KeptByTime, hand: Hand | None
-) -> Iterator[tuple[PlacedBehavior, KeptByTime]]:
+    candidate: PlacedBehavior, kept: TimeIndex, hand: Hand | None
+) -> Iterator[tuple[PlacedBehavior, TimeIndex]]:
     """The candidate with the other hands that could make it, and what is then kept beside it."""
     own = candidate.behavior.hand
     if hand is None and own in _OTHER:
@@ -122,7 +124,7 @@ def _made_by(gesture: PlacedBehavior, hand: Hand) -> PlacedBehavior:
     return replace(gesture, behavior=replace(gesture.behavior, hand=hand, reason=reason))
 
 
-def _left_to_one_hand(candidate: PlacedBehavior, kept: KeptByTime) -> Iterator[KeptByTime]:
+def _left_to_one_hand(candidate: PlacedBehavior, kept: TimeIndex) -> Iterator[TimeIndex]:
     """What is kept if a gesture of both hands leaves one hand to the candidate."""
     free = _OTHER[candidate.behavior.hand]
     sync = candidate.behavior.sync
@@ -130,7 +132,7 @@ def _left_to_one_hand(candidate: PlacedBehavior, kept: KeptByTime) -> Iterator[K
         asked_for = rival.brief is not None and rival.behavior.hand is Hand.BOTH and _makes_it_alone(free, rival)
         if asked_for and compete(rival.behavior, candidate.behavior):
             by_one = fitted(_made_by(_at_its_usual_length(rival), free), kept.without(rival))
-            if isinstance(by_one, Fitted):
+            if isinstance(by_one, FittedBehavior):
                 yield by_one.kept
 
 

@@ -13,8 +13,8 @@ from itertools import pairwise
 from ...model import Behavior, Channel, Mode, Movement, Word
 from ..reading.player import banned
 from ..timing.anchoring import PlacedBehavior, asked
-from ..timing.conflicts import Fitted, Kept, fitted
-from ..timing.time_index import KeptByTime
+from ..timing.conflicts import FittedBehavior, Kept, fitted
+from ..timing.time_index import TimeIndex
 from .attempts import ChoiceContext
 from .hands import with_hand
 
@@ -36,7 +36,7 @@ def in_mode(
         return chosen
     kept, lost = chosen
     gestures = [each for each in kept if each.behavior.kind is Channel.GESTURE]
-    others = KeptByTime(each for each in kept if each.behavior.kind is not Channel.GESTURE)
+    others = TimeIndex(each for each in kept if each.behavior.kind is not Channel.GESTURE)
     lost = tuple(behavior for behavior in lost if behavior.kind is not Channel.GESTURE)
     replaced = (replace(each.behavior, kept=False, reason=f"not in the mode {mode}") for each in gestures)
     if mode is Mode.PROSODY:
@@ -46,7 +46,7 @@ def in_mode(
     return tuple(drawn), (*lost, *replaced)
 
 
-def _beaten_in(kept: KeptByTime, line: ChoiceContext) -> KeptByTime:
+def _beaten_in(kept: TimeIndex, line: ChoiceContext) -> TimeIndex:
     """The kept with beats on stressed words, as many as the character makes, spread over the line."""
     stressed = [word for word in line.timed if word.is_emphasised]
     for part in _parts(stressed, line.most_gestures):
@@ -61,7 +61,7 @@ def _parts(stressed: Sequence[Word], most: int) -> list[Sequence[Word]]:
     return [stressed[first:last] for first, last in pairwise(bounds)]
 
 
-def _beaten_once(kept: KeptByTime, part: Sequence[Word], line: ChoiceContext) -> KeptByTime:
+def _beaten_once(kept: TimeIndex, part: Sequence[Word], line: ChoiceContext) -> TimeIndex:
     """The kept with a beat on the most stressed word of a part on which one fits; of equally stressed words the last,
     because English has its main stress late."""
     for word in sorted(part, key=lambda word: (-(word.emphasis or 0.0), -word.index)):
@@ -72,9 +72,7 @@ def _beaten_once(kept: KeptByTime, part: Sequence[Word], line: ChoiceContext) ->
     return kept
 
 
-def _drawn(
-    kept: KeptByTime, gestures: list[PlacedBehavior], line: ChoiceContext, generator: random.Random
-) -> KeptByTime:
+def _drawn(kept: TimeIndex, gestures: list[PlacedBehavior], line: ChoiceContext, generator: random.Random) -> TimeIndex:
     """The kept with a random gesture of the table in place of each gesture."""
     names = [name for name, entry in line.character.entries.items() if entry.channel is Channel.GESTURE]
     for each in gestures:
@@ -88,7 +86,7 @@ def _drawn(
     return kept
 
 
-def _fitted(movement: Movement, kept: KeptByTime, line: ChoiceContext, reason: str) -> Fitted | None:
+def _fitted(movement: Movement, kept: TimeIndex, line: ChoiceContext, reason: str) -> FittedBehavior | None:
     if banned(line.bans, movement.name, movement.first, movement.last):
         return None
     name = f"{movement.name}.{movement.first}.{movement.last}"
@@ -98,4 +96,4 @@ def _fitted(movement: Movement, kept: KeptByTime, line: ChoiceContext, reason: s
     behavior = replace(candidate.behavior, rule=None, reason=reason)
     candidate = with_hand(replace(candidate, behavior=behavior), kept, line.character.handedness)
     outcome = fitted(candidate, kept)
-    return outcome if isinstance(outcome, Fitted) else None
+    return outcome if isinstance(outcome, FittedBehavior) else None

@@ -35,7 +35,7 @@ _ONLY_ERRORS = 3
 """The log severity of ONNX Runtime: errors, but no warnings about the machine."""
 
 
-class Session(Protocol):
+class EncoderSession(Protocol):
     """The part of ONNX Runtime's `InferenceSession` that we use; the library has no types."""
 
     def run(
@@ -68,7 +68,7 @@ class Encoder:
     head: tuple[str, ...]
     face: tuple[str, ...]
     gaze: tuple[str, ...]
-    session: Session
+    session: EncoderSession
 
     @classmethod
     def load(cls, path: Path) -> "Encoder":

@@ -14,7 +14,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from ...model import BehaviorCandidates, Channel, Function, Moment, Rejected, SingleArray, Term, Utterance
+from ...model import BehaviorCandidates, Channel, Function, Moment, RejectedAlternative, SingleArray, Term, Utterance
 from .choice_model import log_odds_of, worth_of
 from .decoding import (
     NEAR,
@@ -323,19 +323,19 @@ def _in_place(moment: Moment, placed: Mapping[int, PlacedStroke]) -> Moment:
 
 def _rejected(
     worths: LineWorths, ground: Ground, span: tuple[int, int, int], order: Sequence[int]
-) -> Iterator[Rejected]:
+) -> Iterator[RejectedAlternative]:
     """The families that lost on the stroke's word, and the family and word of the span with the second-best stroke."""
     first, stroke, last = span
     families = worths.choice.families
     for place in order[1 : 1 + REJECTED_TOLD]:
         worth = round(float(worths.family[stroke, place]), 3)
-        yield Rejected((families[place],), worth, f"{families[order[0]]} is worth more on the same word")
+        yield RejectedAlternative((families[place],), worth, f"{families[order[0]]} is worth more on the same word")
     beside = [word for word in range(first, last + 1) if word != stroke]
     if beside:
         word = max(beside, key=lambda each: float(ground.gain[each]))
         place = int(worths.family[word].argmax())
         reason = f"a stroke on word {word} would be too near the one on word {stroke}"
-        yield Rejected((families[place],), round(float(worths.family[word, place]), 3), reason)
+        yield RejectedAlternative((families[place],), round(float(worths.family[word, place]), 3), reason)
 
 
 def _phrase_about(utterance: Utterance, stroke: int, after: int, before: int) -> tuple[int, int]:

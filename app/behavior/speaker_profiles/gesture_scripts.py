@@ -24,7 +24,7 @@ from ...model import (
 )
 from ...profiles.generation.behaviors import behaviors_of
 from ...profiles.generation.generating import Speaker, generate
-from ...profiles.generation.repertoire import Closed, PlayableGesture, Repertoire
+from ...profiles.generation.repertoire import ClosedWords, PlayableGesture, Repertoire
 from ...profiles.generation.script import GestureScript
 from ...profiles.profile import Profile, tag_of, tags_of
 from ...transcript import MAX_WORDS
@@ -90,7 +90,7 @@ def repertoire_of(
     """What a character may play in a line: its gestures, what is forbidden and what a director's notes close, and when
     its hands are taken by the gestures among the `kept`."""
     families = player.families
-    forbidden = (Closed(ban.first, ban.last, lexemes) for ban, lexemes in player.banned_lexemes() if lexemes)
+    forbidden = (ClosedWords(ban.first, ban.last, lexemes) for ban, lexemes in player.banned_lexemes() if lexemes)
     asked = (each for each in kept if each.kept and each.kind is Channel.GESTURE)
     return Repertoire(
         gestures=dict(_playable(character.entries.values(), _needed_lemmas(families, character))),
@@ -134,15 +134,15 @@ def _needed_lemmas(families: Families, character: Character) -> Mapping[str, fro
     return found
 
 
-def _closed(direction: Direction, families: Families) -> Iterator[Closed]:
+def _closed(direction: Direction, families: Families) -> Iterator[ClosedWords]:
     if direction.complete:
-        yield Closed(0, MAX_WORDS)
+        yield ClosedWords(0, MAX_WORDS)
     for avoidance in direction.avoid:
         first, last = avoidance.first - WORDS_NEAR, avoidance.last + WORDS_NEAR
         if {ANYTHING, HANDS} & {*avoidance.what}:
-            yield Closed(first, last)
+            yield ClosedWords(first, last)
         lexemes = {lexeme for lexeme, shown in families.shows.items() if {*shown} <= {*avoidance.what}}
-        yield Closed(first, last, frozenset(lexemes))
+        yield ClosedWords(first, last, frozenset(lexemes))
     for moment in direction.moments:
         if moment.gesture[:1] == (STILL,):
-            yield Closed(moment.first, moment.last)
+            yield ClosedWords(moment.first, moment.last)

@@ -22,18 +22,18 @@ from ...model.tables.lexemes import GLANCE, LIDS_AND_CHEEKS, LOOK, LOWER_FACE
 from ..table.behavior_table import PhaseDuration
 from .anchoring import PlacedBehavior
 from .phases import Window, placed
-from .time_index import KeptByTime
+from .time_index import TimeIndex
 
 Kept = tuple[PlacedBehavior, ...]
 """The candidates taken so far, without overlaps on a channel or hand."""
 
 
 @dataclass(frozen=True, slots=True)
-class Fitted:
+class FittedBehavior:
     """A candidate as it fits, and everything kept with it."""
 
     candidate: PlacedBehavior
-    kept: KeptByTime
+    kept: TimeIndex
 
     @property
     def shortened(self) -> bool:
@@ -54,17 +54,17 @@ NEAR_S = 1.0
 
 def resolve(candidates: Iterable[PlacedBehavior], kept: Kept = ()) -> tuple[Kept, tuple[Behavior, ...]]:
     """The candidates that fit beside those kept, by priority, and those that do not."""
-    by_time, lost = KeptByTime(kept), list[Behavior]()
+    by_time, lost = TimeIndex(kept), list[Behavior]()
     for candidate in sorted(candidates, key=_rank):
         outcome = fitted(candidate, by_time)
-        if isinstance(outcome, Fitted):
+        if isinstance(outcome, FittedBehavior):
             by_time = outcome.kept
         else:
             lost.append(outcome)
     return tuple(by_time), tuple(lost)
 
 
-def fitted(candidate: PlacedBehavior, kept: KeptByTime) -> Fitted | Behavior:
+def fitted(candidate: PlacedBehavior, kept: TimeIndex) -> FittedBehavior | Behavior:
     """The candidate among the kept; its behaviour as a loser if it does not fit."""
     rivals = [other for other in _near(candidate, kept) if compete(other.behavior, candidate.behavior)]
     earlier = [other for other in rivals if other.placing.at_s <= candidate.placing.at_s]
@@ -72,7 +72,7 @@ def fitted(candidate: PlacedBehavior, kept: KeptByTime) -> Fitted | Behavior:
     candidate = _with_way(candidate, earlier)
     (_, window), sync = next(_in_windows(candidate, earlier, later, _latest_end_s)), candidate.behavior.sync
     if window.from_s <= sync.start and sync.end <= window.to_s:
-        return Fitted(candidate, kept.with_one_more(candidate))
+        return FittedBehavior(candidate, kept.with_one_more(candidate))
     heads = [other.behavior for other in rivals if other.behavior.kind is Channel.HEAD and _overlap(candidate, other)]
     if candidate.behavior.kind is Channel.GAZE and heads:
         return fitted(_with_the_eyes_alone(candidate, heads[0]), kept)
@@ -82,11 +82,11 @@ def fitted(candidate: PlacedBehavior, kept: KeptByTime) -> Fitted | Behavior:
         if within is not None:
             changed = [(each, _making_way(each, within)) for each in earlier]
             changed += [(each, _waiting(each, within)) for each in later]
-            return Fitted(within, kept.with_one_more(within, changed))
+            return FittedBehavior(within, kept.with_one_more(within, changed))
     return beaten(candidate.behavior, neighbour)
 
 
-def _near(candidate: PlacedBehavior, kept: KeptByTime) -> Kept:
+def _near(candidate: PlacedBehavior, kept: TimeIndex) -> Kept:
     """Those kept that may affect the candidate, with a margin; in a long line these are few."""
     sync = candidate.behavior.sync
     return kept.near(sync.start - REACH_S, sync.end + REACH_S) or tuple(kept)

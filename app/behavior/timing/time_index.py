@@ -1,4 +1,4 @@
-"""What is kept, found by its time: whoever asks what is near looks at that alone, however long the line is.
+"""A time index over the behaviours kept so far: finding neighbours costs the same in a line of any length.
 
 Behaviours lie in cells of `CELL_S` seconds, each in all that it overlaps. Nothing is changed in place: adding to what
 is kept makes another, so that several attempts can start from the same. Times are seconds.
@@ -14,7 +14,7 @@ from .anchoring import PlacedBehavior
 CELL_S = 2.0
 
 
-class KeptByTime:
+class TimeIndex:
     """The behaviours kept so far, in the order in which they were."""
 
     __slots__ = ("_by_place", "_cells", "_next", "gestures")

@@ -43,7 +43,7 @@ class NotXmlError(Exception):
 
 
 @dataclass(frozen=True, slots=True)
-class Parsed:
+class ParsedDocument:
     """The root element of a file with all its content; `is_bound` if `sbm:` had to be bound to its namespace."""
 
     root: Element
@@ -111,7 +111,7 @@ class _Builder:
             self._open[-1].content.append(text.replace("\r", "\n"))
 
 
-def parse(content: bytes, limits: ReadingLimits) -> Parsed:
+def parse(content: bytes, limits: ReadingLimits) -> ParsedDocument:
     """The file as elements. Raises NotXmlError. The caller must check the size."""
     try:
         text = content.decode("utf-8-sig")
@@ -120,12 +120,12 @@ def parse(content: bytes, limits: ReadingLimits) -> Parsed:
         column = error.start - content.rfind(b"\n", 0, error.start)
         raise NotXmlError("not UTF-8; write BML in UTF-8", TagPosition(line, column)) from None
     try:
-        return Parsed(_Builder(limits.max_depth).build(text))
+        return ParsedDocument(_Builder(limits.max_depth).build(text))
     except _UnboundPrefixError as error:
         if _prefix_at(text, error.place) != _BOUND:
             raise _with_remedy(error, text) from None
     try:
-        return Parsed(_with_bound_prefix(text, limits), is_bound=True)
+        return ParsedDocument(_with_bound_prefix(text, limits), is_bound=True)
     except _UnboundPrefixError as error:
         raise _with_remedy(error, text) from None
 

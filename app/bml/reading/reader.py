@@ -17,7 +17,7 @@ from ...model import Notice
 from ..markup.documents import Document, Element, TagPosition, Value
 from ..markup.elements import DIALECTS, OURS, SBM, Dialect, ElementKind
 from ..markup.mistakes import is_foreign, kind_of, local_name, mistakes_of, typed_attributes
-from ..markup.parsing import NotXmlError, Parsed, ReadingLimits, parse
+from ..markup.parsing import NotXmlError, ParsedDocument, ReadingLimits, parse
 from .greta import in_core_bml
 from .moved_points import with_following_points
 
@@ -54,7 +54,7 @@ def read_bml(
     return Document(dialect.name, _element(root, kind)), notices
 
 
-def _parsed(content: bytes, path: Path, limits: ReadingLimits) -> Parsed:
+def _parsed(content: bytes, path: Path, limits: ReadingLimits) -> ParsedDocument:
     if len(content) > limits.max_bytes:
         message = f"{path}: {len(content)} bytes of BML; no more than {limits.max_bytes} are read"
         raise TooLargeError("bml_too_large", message, field="bml")
@@ -64,7 +64,7 @@ def _parsed(content: bytes, path: Path, limits: ReadingLimits) -> Parsed:
         raise _wrong_bml(content, path, [(error.place, error.message)]) from None
 
 
-def _bound(parsed: Parsed) -> Iterator[Notice]:
+def _bound(parsed: ParsedDocument) -> Iterator[Notice]:
     if parsed.is_bound:
         message = f'sbm: is not declared; it is taken as SmartBody\'s: write xmlns:sbm="{SBM}" in the outermost element'
         yield Notice("bml_namespace", message)

@@ -43,7 +43,7 @@ _UNPLAYED = ("a body alone has no way to play it", "one recording has one speech
 
 
 @dataclass(frozen=True, slots=True)
-class Resolved:
+class ResolvedDocument:
     """A document's behaviours in order of time, and the words of its speech at times of the block, in which the speech
     starts at `speech_start_s`. Visemes, agitation and character are set if the document states them, as SmartBody's
     dialect may. `places` are the targets that behaviours name by their coordinates, `stated` the sync points that are
@@ -69,7 +69,7 @@ class _Asked:
     stated: StatedPoints
 
 
-def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
+def resolve(document: Document, words: tuple[Word, ...] = ()) -> ResolvedDocument:
     """The behaviours of a document; `words` are those of its speech, timed from the start of the recording."""
     document = _with_blocks_in_names(document)
     speech = speech_of(document)
@@ -93,7 +93,7 @@ def resolve(document: Document, words: tuple[Word, ...] = ()) -> Resolved:
         *violated_constraints(document, points, known),
         *(_missed_end(speech, points, known) if speech else ()),
     )
-    return Resolved(
+    return ResolvedDocument(
         behaviors=tuple(sorted((_worded(each, words, start_s) for each in behaviors), key=_start_s)),
         words=tuple(later_word(word, start_s) for word in words),
         visemes=tuple(_visemes(elements, points)),

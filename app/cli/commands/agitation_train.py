@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from ...acoustic.agitation.agitation import AgitationModel, save_file
-from ...acoustic.agitation.teaching import LeftOut, Taught, left_out, teach
+from ...acoustic.agitation.teaching import LabelledRecordings, LeftOut, left_out, teach
 from ...acoustic.agitation.utterance_features import FEATURE_SETS
 from ...acoustic.agitation.voice_quality import voice_quality
 from ...acoustic.contours import contours_of
@@ -37,12 +37,14 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     return 0
 
 
-def _heard(recordings: tuple[LabelledRecording, ...], feature_set: str, settings: Settings, log: Log) -> Taught:
+def _heard(
+    recordings: tuple[LabelledRecording, ...], feature_set: str, settings: Settings, log: Log
+) -> LabelledRecordings:
     rows = []
     for number, each in enumerate(recordings, start=1):
         log.stage(f"hear {number}/{len(recordings)}")
         rows.append(_features(each.path, feature_set, settings))
-    return Taught(
+    return LabelledRecordings(
         np.array(rows),
         np.array([each.memberships for each in recordings]),
         np.array([each.speaker for each in recordings]),

@@ -19,7 +19,7 @@ from ..log import Log
 from .plot import require_plot
 
 if TYPE_CHECKING:
-    from ...library.motion import Decision, PreparedSchedule, Realized, Realizer
+    from ...library.motion import Decision, PreparedSchedule, RealizedSchedule, Realizer
     from ...library.motion_models import Moving
 
 LARGEST_AVATAR_BYTES = 256 << 20
@@ -100,7 +100,9 @@ def write_motions(
         log.note("\n".join(_told(decision) for decision in realized.motion.decisions))
 
 
-def _realized(realizer: Realizer, staged: PreparedSchedule, options: MotionOptions, moving: Moving | None) -> Realized:
+def _realized(
+    realizer: Realizer, staged: PreparedSchedule, options: MotionOptions, moving: Moving | None
+) -> RealizedSchedule:
     if moving is not None:
         from ...library.motion_models import realize_moving
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from ...authoring.catalogue import shown_path
-from ...authoring.inspection import Firing, NearMiss, Rule, RuleTrace, Said, Trace, Unused
+from ...authoring.inspection import Firing, NearMiss, Rule, RuleTrace, ShownStatement, Trace, UnusedEntries
 from ...model import Behavior, Moment, Word
 
 MOST_NEAR_MISSES = 12
@@ -39,7 +39,7 @@ def _rules(title: str, part: RuleTrace, words: Sequence[Word]) -> Iterator[str]:
         yield f"  and {len(part.near_misses) - MOST_NEAR_MISSES} with fewer conditions met (see --rule NAME)"
 
 
-def unused_lines(unused: Unused) -> Iterator[str]:
+def unused_lines(unused: UnusedEntries) -> Iterator[str]:
     """The rules, then the words that were never used, with their places."""
     yield f"{len(unused.rules)} rules never fire"
     yield from (f"  {_place(rule)}" for rule in unused.rules)
@@ -89,7 +89,7 @@ def _place(rule: Rule) -> str:
     return f"{rule.name}  {shown_path(rule.path)}:{rule.line}"
 
 
-def _said(mark: str, said: Said, words: Sequence[Word]) -> str:
+def _said(mark: str, said: ShownStatement, words: Sequence[Word]) -> str:
     """A fact, and the words it is about."""
     line = f"    {mark}{said.text}"
     spoken = "" if said.span is None else " ".join(word.text for word in words[slice(*said.span)])

@@ -101,7 +101,7 @@ class Unit:
 
 
 @dataclass(frozen=True, slots=True)
-class Labelled:
+class LabelledInterval:
     """A stretch of time and what happens in it."""
 
     interval: Interval
@@ -129,9 +129,9 @@ class Annotation:
     segments: tuple[tuple[int, int], ...]
     tags: tuple[TaggedWords, ...] | None
     units: tuple[Unit, ...]
-    head: tuple[Labelled, ...] = ()
-    gaze: tuple[Labelled, ...] = ()
-    posture: tuple[Labelled, ...] = ()
+    head: tuple[LabelledInterval, ...] = ()
+    gaze: tuple[LabelledInterval, ...] = ()
+    posture: tuple[LabelledInterval, ...] = ()
     unread: tuple[str, ...] = ()
 
     @property

@@ -12,7 +12,7 @@ from ...model import Hand, Interval, Word
 from ..segments import time_of
 from .in_time import InTime
 from .mistakes import AnnotationMistake
-from .model import Labelled, PathForm, PhaseKind, Position, Swivel, TaggedWords
+from .model import LabelledInterval, PathForm, PhaseKind, Position, Swivel, TaggedWords
 from .tracks import PHRASE_ATTRIBUTES, Track, TrackSpan
 
 SIDEWAYS = ("XEP", "XP", "XC", "XCC", "XOppC", "XOppP", "XOppEP")
@@ -132,9 +132,11 @@ def _check_tag(tag: str, track: str, span: TrackSpan, checking: Checking) -> Non
         checking.wrong(track, span.start_s, told)
 
 
-def labelled_of(track: Track, checking: Checking) -> tuple[Labelled, ...]:
+def labelled_of(track: Track, checking: Checking) -> tuple[LabelledInterval, ...]:
     """The spans with their labels."""
-    return tuple(Labelled(Interval(span.start_s, span.end_s), span.label) for span in checked_times(track, checking))
+    return tuple(
+        LabelledInterval(Interval(span.start_s, span.end_s), span.label) for span in checked_times(track, checking)
+    )
 
 
 def phase_kind(span: TrackSpan, checking: Checking) -> PhaseKind | None:

@@ -31,7 +31,7 @@ from ..profile import FIRST, Occurrence, Profile
 from ..segments import segments_of, spoken_s
 from ..space import size_of
 from .candidates import StrokeWord, places_of
-from .phases import MOVED_S, Timed, after, drawn_main, form_of, with_after_strokes
+from .phases import MOVED_S, TimedStrokes, after, drawn_main, form_of, with_after_strokes
 from .repertoire import PlayableGesture, Repertoire
 from .script import GestureScript, ScriptedGesture, ScriptedUnit
 from .sequence import Drawn, drawn_gestures, drawn_hands
@@ -60,7 +60,7 @@ class _Made:
 
     drawn: Drawn
     hand: Hand
-    timed: Timed
+    timed: TimedStrokes
 
 
 def generate(speaker: Speaker, utterance: Utterance, tags: Sequence[TaggedWords]) -> GestureScript:
@@ -128,7 +128,7 @@ def _way_s(repertoire: Repertoire, one: _Made, other: _Made) -> float:
     ).shortest_s
 
 
-def _overlap(timed: Timed, taken: Interval) -> bool:
+def _overlap(timed: TimedStrokes, taken: Interval) -> bool:
     return timed.strokes[0].start_s - PREPARED_S < taken.end_s and taken.start_s < timed.strokes[-1].end_s + PREPARED_S
 
 

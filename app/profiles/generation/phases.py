@@ -28,7 +28,7 @@ LONGEST_HELD_S = 1.0
 
 
 @dataclass(frozen=True, slots=True)
-class Timed:
+class TimedStrokes:
     """The strokes of a gesture, and by how much they were moved back, or forward below 0; `held` is an independent
     hold."""
 
@@ -36,24 +36,24 @@ class Timed:
     held: bool
     moved_s: float = 0.0
 
-    def shifted(self, by_s: float) -> "Timed":
+    def shifted(self, by_s: float) -> "TimedStrokes":
         """The same, later by so much."""
         strokes = tuple(Interval(each.start_s + by_s, each.end_s + by_s) for each in self.strokes)
-        return Timed(strokes, self.held, self.moved_s + by_s)
+        return TimedStrokes(strokes, self.held, self.moved_s + by_s)
 
 
-def drawn_main(profile: Profile, lexeme: str, word: Word, stroke_s: float, rng: random.Random) -> Timed:
+def drawn_main(profile: Profile, lexeme: str, word: Word, stroke_s: float, rng: random.Random) -> TimedStrokes:
     """The main stroke of a gesture on a word, before it meets its neighbours."""
     habit = habit_of(profile, lexeme)
     time = time_of(word)
     if rng.random() < habit.held:
         start_s = time.start_s - profile.lead.main_s
-        return Timed((Interval(start_s, start_s + min(time.duration_s, LONGEST_HELD_S)),), held=True)
+        return TimedStrokes((Interval(start_s, start_s + min(time.duration_s, LONGEST_HELD_S)),), held=True)
     end_s = time.end_s + drawn(habit.offset_s, rng) - profile.lead.main_s
-    return Timed((Interval(end_s - stroke_s, end_s),), held=False)
+    return TimedStrokes((Interval(end_s - stroke_s, end_s),), held=False)
 
 
-def after(timed: Timed, free_s: float) -> Timed | None:
+def after(timed: TimedStrokes, free_s: float) -> TimedStrokes | None:
     """The gesture so late that its stroke begins at `free_s` or later; None where that is too late."""
     late_s = free_s - timed.strokes[0].start_s
     if late_s <= 0:
@@ -65,8 +65,8 @@ def after(timed: Timed, free_s: float) -> Timed | None:
 
 
 def with_after_strokes(
-    profile: Profile, lexeme: str, timed: Timed, following: Sequence[Word], *, until_s: float, rng: random.Random
-) -> Timed:
+    profile: Profile, lexeme: str, timed: TimedStrokes, following: Sequence[Word], *, until_s: float, rng: random.Random
+) -> TimedStrokes:
     """The gesture with as many strokes as are drawn, on the words that follow and before `until_s`."""
     habit = habit_of(profile, lexeme)
     strokes = min(MOST_STROKES, max(1, round(drawn(habit.strokes, rng))))
@@ -74,7 +74,7 @@ def with_after_strokes(
         return timed
     length_s = profile.phases.after_stroke_s.mean
     made = list(_after_strokes(timed.strokes[0].end_s, length_s, following, profile.lead.after_s, until_s))
-    return Timed((*timed.strokes, *made[: strokes - 1]), timed.held, timed.moved_s)
+    return TimedStrokes((*timed.strokes, *made[: strokes - 1]), timed.held, timed.moved_s)
 
 
 def _after_strokes(

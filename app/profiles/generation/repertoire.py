@@ -21,7 +21,7 @@ class PlayableGesture:
 
 
 @dataclass(frozen=True, slots=True)
-class Closed:
+class ClosedWords:
     """Words `first` to `last`, on which none of `lexemes` may be made; None stands for all gestures."""
 
     first: int
@@ -38,7 +38,7 @@ class Repertoire:
     """The gestures by lexeme, what is closed, and when the hands are taken by other gestures."""
 
     gestures: Mapping[str, PlayableGesture]
-    closed: tuple[Closed, ...] = ()
+    closed: tuple[ClosedWords, ...] = ()
     taken: tuple[Interval, ...] = ()
 
     def allows(self, lexeme: str, word: int, lemmas: Collection[str]) -> bool:

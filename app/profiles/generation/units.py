@@ -16,7 +16,7 @@ from math import inf
 
 from ..profile import PhaseHabit, Profile, RestHabit
 from ..segments import AFTER_STROKE_S, SHORTEST_PREPARATION_S, SHORTEST_REST_S, SHORTEST_RETRACTION_S
-from .phases import Timed
+from .phases import TimedStrokes
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +29,9 @@ class Bounds:
     last: bool
 
 
-def joined(profile: Profile, strokes: Sequence[Timed], segments: Sequence[int], rng: random.Random) -> list[bool]:
+def joined(
+    profile: Profile, strokes: Sequence[TimedStrokes], segments: Sequence[int], rng: random.Random
+) -> list[bool]:
     """Whether each gesture is in one unit with the one before it."""
     found, size = [False], 1
     for (one, other), (segment, following) in zip(pairwise(strokes), pairwise(segments), strict=True):
@@ -40,7 +42,7 @@ def joined(profile: Profile, strokes: Sequence[Timed], segments: Sequence[int], 
     return found[: len(strokes)]
 
 
-def bounds_of(phases: PhaseHabit, strokes: Sequence[Timed], is_joined: Sequence[bool]) -> Iterator[Bounds]:
+def bounds_of(phases: PhaseHabit, strokes: Sequence[TimedStrokes], is_joined: Sequence[bool]) -> Iterator[Bounds]:
     """When each gesture begins and ends."""
     free_s = 0.0
     for place, timed in enumerate(strokes):

@@ -7,7 +7,7 @@ from itertools import pairwise
 from statistics import fmean
 
 from ...model import Hand, Interval
-from ..annotation.model import Annotation, Labelled, PhaseKind, Unit
+from ..annotation.model import Annotation, LabelledInterval, PhaseKind, Unit
 from ..probabilities import shares_of
 from ..profile import (
     FormHabit,
@@ -181,7 +181,7 @@ def head_habit(annotations: Sequence[Annotation], seconds: float) -> HeadHabit:
     )
 
 
-def _eye_contact(gaze: Sequence[Labelled]) -> float | None:
+def _eye_contact(gaze: Sequence[LabelledInterval]) -> float | None:
     total_s = sum(each.interval.duration_s for each in gaze)
     at_s = sum(each.interval.duration_s for each in gaze if each.label.lower() in AT_LISTENER)
     return at_s / total_s if total_s else None

@@ -22,7 +22,7 @@ _FALLEN_M = 0.15
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Simulated:
+class SimulatedMotion:
     """MuJoCo's positions (F, nq) and where the feet are (F, 2, 3), in every frame until the last or until the body was
     falling."""
 
@@ -36,7 +36,7 @@ class Simulated:
         return float(np.linalg.norm((self.feet_m - self.feet_m[0])[:, :, [0, 2]], axis=-1).max())
 
 
-def simulate(physical: PhysicalBody, course: Course) -> Simulated:
+def simulate(physical: PhysicalBody, course: Course) -> SimulatedMotion:
     """What becomes of a body whose servos are asked for this course."""
     model, state, factor = physical.model, mujoco.MjData(physical.model), course.steps_per_frame
     mujoco.set_mju_user_warning(_told_otherwise)
@@ -50,10 +50,10 @@ def simulate(physical: PhysicalBody, course: Course) -> Simulated:
     for frame in range(frames):
         positions[frame], feet_m[frame] = state.qpos, state.xpos[feet]
         if not _stands(state, course.positions[frame * factor]):
-            return Simulated(positions[: frame + 1], feet_m[: frame + 1], fell=True)
+            return SimulatedMotion(positions[: frame + 1], feet_m[: frame + 1], fell=True)
         for step in range(frame * factor, min((frame + 1) * factor, len(course.positions))):
             _step(model, state, ankles, course, step)
-    return Simulated(positions, feet_m, fell=False)
+    return SimulatedMotion(positions, feet_m, fell=False)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

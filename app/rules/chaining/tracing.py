@@ -40,7 +40,7 @@ class ObstacleKind(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Said:
+class ShownStatement:
     """A fact or statement in the rule language with its variables' values, and the words it concerns."""
 
     text: str
@@ -52,7 +52,7 @@ class UnmetCondition:
     """A missing fact, a fact excluded by `unless`, or a comparison that does not hold."""
 
     lack: ObstacleKind
-    said: Said
+    said: ShownStatement
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,8 +60,8 @@ class Firing:
     """A match of a rule: the facts it joined in the order of the rule, and what it asserts or may choose."""
 
     rule: Rule
-    joined: tuple[Said, ...]
-    concluded: tuple[Said, ...]
+    joined: tuple[ShownStatement, ...]
+    concluded: tuple[ShownStatement, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +69,7 @@ class NearMiss:
     """The facts that a rule found, and what prevented it from firing."""
 
     rule: Rule
-    joined: tuple[Said, ...]
+    joined: tuple[ShownStatement, ...]
     obstacles: tuple[UnmetCondition, ...]
 
 
@@ -135,18 +135,18 @@ class _Tracer:
         span = self._said(unmet.fact.name, unmet.fact.arguments, match.bindings).span
         return _nearness(rule, match) > (1, 0) and (span is None or span[0] < span[1])
 
-    def _joined(self, match: Match) -> tuple[Said, ...]:
+    def _joined(self, match: Match) -> tuple[ShownStatement, ...]:
         facts = (match.joined[number] for number in sorted(match.joined))
-        return tuple(Said(str(fact), self._span(fact.predicate, fact.arguments)) for fact in facts)
+        return tuple(ShownStatement(str(fact), self._span(fact.predicate, fact.arguments)) for fact in facts)
 
-    def _concluded(self, rule: Rule, bindings: Bindings) -> Iterator[Said]:
+    def _concluded(self, rule: Rule, bindings: Bindings) -> Iterator[ShownStatement]:
         for atom in asserted(rule.tree):
             yield self._said(atom.name, atom.arguments, bindings)
         for part in rule.tree.conclusions:
             if isinstance(part, ChooseClause):
                 for offered in part.alternatives:
                     calls = " ".join(str(substitute(call, bindings)) for call in offered.calls)
-                    yield Said(f"{_wanted(offered.weight)}: {calls}")
+                    yield ShownStatement(f"{_wanted(offered.weight)}: {calls}")
 
     def _obstacle(self, statement: Statement, bindings: Bindings) -> UnmetCondition:
         if isinstance(statement, Pattern) and not statement.absent:
@@ -154,14 +154,16 @@ class _Tracer:
             return UnmetCondition(ObstacleKind.MISSING, self._said(atom.name, atom.arguments, bindings))
         if isinstance(statement, Pattern):
             fact, _ = next(self.facts.fitting(statement.fact, bindings))
-            return UnmetCondition(ObstacleKind.EXCLUDED, Said(str(fact), self._span(fact.predicate, fact.arguments)))
-        return UnmetCondition(ObstacleKind.UNTRUE, Said(_compared(statement, bindings)))
+            return UnmetCondition(
+                ObstacleKind.EXCLUDED, ShownStatement(str(fact), self._span(fact.predicate, fact.arguments))
+            )
+        return UnmetCondition(ObstacleKind.UNTRUE, ShownStatement(_compared(statement, bindings)))
 
-    def _said(self, predicate: str, arguments: Sequence[Expression], bindings: Bindings) -> Said:
+    def _said(self, predicate: str, arguments: Sequence[Expression], bindings: Bindings) -> ShownStatement:
         """A fact as written in a rule, without its annotation, which is not computed here."""
         known = [substitute(part, bindings) for part in arguments][: len(self.program.predicates[predicate].parameters)]
         values = [part.value if isinstance(part, Constant) else None for part in known]
-        return Said(f"{predicate}({', '.join(map(str, known))})", self._span(predicate, values))
+        return ShownStatement(f"{predicate}({', '.join(map(str, known))})", self._span(predicate, values))
 
     def _span(self, predicate: str, values: Sequence[object]) -> tuple[int, int] | None:
         """The boundaries `start` and `end` of a fact; if it has only one, those of the word there."""

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from ...errors import Mistake
 from ..language.tree import PredicateTree, RuleFile, RuleTree
-from .rule_checks import Declared, Located, rule_mistakes
+from .rule_checks import Declarations, Located, rule_mistakes
 from .stratification import cycles, feeding
 
 _Declaration = tuple[RuleFile, PredicateTree]
@@ -40,7 +40,7 @@ def check(
 
 def _declared(
     files: Sequence[RuleFile], declarations: Sequence[_Declaration], behaviors: Collection[str] | None
-) -> Declared:
+) -> Declarations:
     predicates: dict[str, PredicateTree] = {}
     for _, predicate in declarations:
         predicates.setdefault(predicate.name, predicate)
@@ -48,7 +48,7 @@ def _declared(
         name: bool(predicate.parameters) and predicate.parameters[-1].merged for name, predicate in predicates.items()
     }
     unread = frozenset(name for file in files for name in file.unread) - predicates.keys()
-    return Declared(predicates, annotated, unread, behaviors)
+    return Declarations(predicates, annotated, unread, behaviors)
 
 
 def _parameter_mistakes(predicate: PredicateTree) -> Iterator[Located]:
@@ -73,7 +73,7 @@ def _said_twice(kind: str, blocks: Sequence[_Declaration] | Sequence[_Rule]) -> 
             yield from _located(here, [(one.place, message)])
 
 
-def _negation_cycles(rules: Sequence[_Rule], declared: Declared) -> Iterator[Mistake]:
+def _negation_cycles(rules: Sequence[_Rule], declared: Declarations) -> Iterator[Mistake]:
     for cycle in cycles(feeding([rule for _, rule in rules], declared.annotated)):
         file, first = rules[cycle.rules[0]]
         way = " → ".join(rules[number][1].name for number in (*cycle.rules, cycle.rules[0]))

@@ -19,7 +19,7 @@ from ..language.tree import (
     Variable,
     WeightedCalls,
 )
-from .conclusions import Annotated, Assert, Choose, Head, Offer
+from .conclusions import Assert, Choose, Head, LateComputations, Offer
 from .planning import Plans, SlotLayout, plans, variables_of
 from .steps import Step
 
@@ -85,7 +85,7 @@ class _Compiler:
         heads = tuple(self._head(atom, of, annotated) for atom, of in zip(concluded.facts, slots, strict=True))
         return Assert(heads, annotated, supports, origin)
 
-    def _head(self, atom: Atom, slots: tuple[int, ...], annotated: Annotated) -> Head:
+    def _head(self, atom: Atom, slots: tuple[int, ...], annotated: LateComputations) -> Head:
         if not self.layout.annotated[atom.name]:
             return Head(atom.name, slots, annotation=None, late=False)
         return Head(atom.name, slots[:-1], annotation=slots[-1], late=slots[-1] in annotated.fills)
@@ -106,11 +106,11 @@ class _Compiler:
         self.computations.append(Computation(hidden, argument))
         return self.layout.variable(hidden.name)
 
-    def _annotated(self) -> Annotated:
+    def _annotated(self) -> LateComputations:
         binding = annotation_variables(self.rule, self.layout.annotated)
         late = late_computations(self.computations, binding)
         layout = self.layout
-        return Annotated(
+        return LateComputations(
             reads=tuple((layout.variable(name), layout.fact(number)) for name, number in binding.items()),
             computations=tuple(
                 (

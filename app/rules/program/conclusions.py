@@ -20,7 +20,7 @@ from .steps import Evaluate
 
 
 @dataclass(frozen=True, slots=True)
-class Annotated:
+class LateComputations:
     """The computations of a rule that depend on final annotations.
 
     `reads` are (variable's slot, joined fact's slot), `computations` (slot, expression, place) in order.
@@ -61,7 +61,7 @@ class Assert:
     """The last step of an assert-rule."""
 
     heads: tuple[Head, ...]
-    annotated: Annotated
+    annotated: LateComputations
     supports: tuple[int, ...]
     origin: Origin
 
@@ -120,7 +120,7 @@ class Choose:
     """The last step of a choose-rule; without an alternative whose guards hold there is no choice."""
 
     offers: tuple[Offer, ...]
-    annotated: Annotated
+    annotated: LateComputations
     supports: tuple[int, ...]
     origin: Origin
 

@@ -41,7 +41,7 @@ MOST_STATEMENTS = 50
 
 
 @dataclass(frozen=True, slots=True)
-class Declared:
+class Declarations:
     """The declarations that rules can refer to. Those in `unread` exist but could not be parsed and are not checked.
     `annotated` tells whether each predicate's last argument is an annotation. `behaviors` may be chosen, and below
     `never` what `bannable` names too."""
@@ -57,7 +57,7 @@ class Declared:
         return (*(part.fact for part in rule.statements if isinstance(part, Pattern)), *asserted(rule))
 
 
-def rule_mistakes(rule: RuleTree, declared: Declared) -> Iterator[Located]:
+def rule_mistakes(rule: RuleTree, declared: Declarations) -> Iterator[Located]:
     """All mistakes in `rule`; those of its annotations only if its facts are correct, since they determine what is
     one."""
     yield from _parts(rule)
@@ -105,7 +105,7 @@ def _conclusions(rule: RuleTree) -> Iterator[Located]:
             )
 
 
-def _behaviors(rule: RuleTree, declared: Declared) -> Iterator[Located]:
+def _behaviors(rule: RuleTree, declared: Declarations) -> Iterator[Located]:
     if declared.behaviors is None:
         return
     for alternative in _alternatives(rule):
@@ -115,7 +115,7 @@ def _behaviors(rule: RuleTree, declared: Declared) -> Iterator[Located]:
                 yield call.place, f"unknown behaviour {call.name}{did_you_mean(call.name, known)}"
 
 
-def _fact(atom: Atom, declared: Declared) -> Iterator[Located]:
+def _fact(atom: Atom, declared: Declarations) -> Iterator[Located]:
     """Mistakes in a fact's predicate and arity."""
     if atom.name in declared.unread:
         return
@@ -131,7 +131,7 @@ def _fact(atom: Atom, declared: Declared) -> Iterator[Located]:
         )
 
 
-def _pattern(pattern: Pattern, declared: Declared) -> Iterator[Located]:
+def _pattern(pattern: Pattern, declared: Declarations) -> Iterator[Located]:
     """Mistakes in a pattern's arguments."""
     for argument in pattern.fact.arguments:
         if isinstance(argument, ArithmeticOperation | Atom):
@@ -214,7 +214,7 @@ def _bound(rule: RuleTree) -> set[str]:
     return bound
 
 
-def _annotations(rule: RuleTree, declared: Declared) -> Iterator[Located]:
+def _annotations(rule: RuleTree, declared: Declarations) -> Iterator[Located]:
     """Annotations, and values computed from them, where they would determine which facts exist."""
     binding = annotation_variables(rule, declared.annotated)
     computations = [part for part in rule.statements if isinstance(part, Computation)]
@@ -240,7 +240,7 @@ def _annotations(rule: RuleTree, declared: Declared) -> Iterator[Located]:
             yield place, f"${name} is computed twice; compare with `==`"
 
 
-def _deciding(rule: RuleTree, declared: Declared) -> Iterator[Expression]:
+def _deciding(rule: RuleTree, declared: Declarations) -> Iterator[Expression]:
     """The expressions that determine which facts and choices exist."""
     for guard in _guards(rule):
         yield guard.left

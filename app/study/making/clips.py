@@ -10,7 +10,7 @@ import json
 import soundfile
 
 from ...errors import UndecodableError
-from ...library.motion import PreparedSchedule, Realized, realize_prepared, write_realized
+from ...library.motion import PreparedSchedule, RealizedSchedule, realize_prepared, write_realized
 from ...model import Schedule
 from ...model.formats.motion_formats import MotionFormat
 from ...models import Understudy
@@ -24,12 +24,12 @@ TAIL_S = 1.0
 _TELLING = ("events", "decisions", "notices")
 
 
-def realized(models: Understudy, prepared: PreparedSchedule) -> Realized:
+def realized(models: Understudy, prepared: PreparedSchedule) -> RealizedSchedule:
     """The motion of a schedule, with its tail."""
     return realize_prepared(models.realizer, prepared, frame_rate_hz=FRAME_RATE_HZ, tail_s=TAIL_S)
 
 
-def blind_clip(models: Understudy, found: Realized) -> str:
+def blind_clip(models: Understudy, found: RealizedSchedule) -> str:
     """The motion as JSON (docs/motion-formats.md), without anything that reveals its condition."""
     clip = json.loads(write_realized(found, models.realizer, MotionFormat.JSON))
     return json.dumps(clip | {name: [] for name in _TELLING}, separators=(",", ":"))

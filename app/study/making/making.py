@@ -13,7 +13,7 @@ from itertools import combinations
 
 from ...batch.work.files import write_whole
 from ...errors import InputError
-from ...library.motion import PreparedSchedule, Realized
+from ...library.motion import PreparedSchedule, RealizedSchedule
 from ...model import Behavior, Channel, Notice
 from ...models import Understudy
 from ..comparison import CONDITIONS, KEY_COLUMNS, KEY_NAME, Comparison
@@ -49,7 +49,7 @@ class RenderedLine:
 class _Motions:
     """A line's motions by condition, the notices about them, and the reason if they look alike."""
 
-    by_condition: Mapping[str, Realized]
+    by_condition: Mapping[str, RealizedSchedule]
     told: str
     alike: str = ""
 

@@ -18,11 +18,11 @@ from itertools import pairwise
 
 from ...behavior.speaker_profiles.gesture_scripts import scripted_behaviors
 from ...errors import InputError
-from ...library.motion import PreparedSchedule, Realized
+from ...library.motion import PreparedSchedule, RealizedSchedule
 from ...library.performing import perform_analysis, perform_line
 from ...model import Behavior, Channel, Interval, Mode, Performance, SyncPoints
 from ...models import Understudy
-from ...profiles.generation.phases import Timed
+from ...profiles.generation.phases import TimedStrokes
 from ...profiles.generation.script import GestureScript, ScriptedGesture
 from ...profiles.generation.units import bounds_of
 from ...profiles.profile import Profile
@@ -43,7 +43,7 @@ class UnitVersions:
     """Both versions' motions, how many gestures they have, how many holds of U are rests in S, and how many gestures
     were given up for want of time."""
 
-    motions: Mapping[str, Realized]
+    motions: Mapping[str, RealizedSchedule]
     gestures: int
     rests: int
     given_up: int
@@ -104,7 +104,7 @@ def _version(script: GestureScript, profile: Profile, members: Sequence[_Member]
     if name == SINGLETONS:
         strokes = [*_trimmed(strokes, joined)]
         joined = [False] * len(members)
-    timed = [Timed(own, each.gesture.held) for own, each in zip(strokes, members, strict=True)]
+    timed = [TimedStrokes(own, each.gesture.held) for own, each in zip(strokes, members, strict=True)]
     bounds = bounds_of(profile.phases, timed, joined)
     gestures = tuple(
         replace(each.gesture, strokes=own, start_s=bound.start_s, relax_s=bound.relax_s, end_s=bound.end_s)
@@ -149,7 +149,7 @@ def _side_posture(start_s: float, number: int) -> Behavior:
     return Behavior(f"study.rest.{number}", Channel.POSTURE, AT_SIDE, sync, 0, 0, 1.0)
 
 
-def _unfit(motions: Mapping[str, Realized]) -> set[str]:
+def _unfit(motions: Mapping[str, RealizedSchedule]) -> set[str]:
     """The first gesture that is not played in a version, or has no rest before it in S."""
     told = [each.behavior for each in motions[SINGLETONS].motion.decisions if each.action == "blended"]
     told += [each.behavior for found in motions.values() for each in found.motion.decisions if each.action == "dropped"]

@@ -31,7 +31,7 @@ from understudy.model.formats.motion_formats import AudioFile, FileOptions, Moti
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform
-from understudy.realization import PreparedSchedule, Realized, Realizer, realize_prepared, write_motion
+from understudy.realization import PreparedSchedule, RealizedSchedule, Realizer, realize_prepared, write_motion
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.settings import Settings, read_settings
 
@@ -66,7 +66,7 @@ def main() -> None:
         _tell_fbx(files)
 
 
-def _written(realized: Realized, realizer: Realizer, folder: Path) -> Iterator[tuple[MotionFormat, Path]]:
+def _written(realized: RealizedSchedule, realizer: Realizer, folder: Path) -> Iterator[tuple[MotionFormat, Path]]:
     audio = AudioFile(EXAMPLE.name, EXAMPLE.read_bytes())
     options = FileOptions(root_at_origin=True, audio=audio, blender=read_settings().blender)
     for form in (*SCENES, *BY_THREE, MotionFormat.JSON, MotionFormat.BAP):
@@ -124,7 +124,7 @@ def _of_clip(clip: Mapping[str, Any]) -> FloatArray:
     return np.stack([places[joint["name"]] for joint in joints], axis=1)
 
 
-def _decode(realized: Realized, files: Mapping[MotionFormat, Path], skeleton: Skeleton) -> None:
+def _decode(realized: RealizedSchedule, files: Mapping[MotionFormat, Path], skeleton: Skeleton) -> None:
     """What a reader of body parameters makes of the joints, all frames: how far they are turned from ours."""
     joints = Body(read_parameters(files[MotionFormat.BAP].read_bytes())).joints()
     turns = {name: Rotation.from_quat(realized.motion.body.rotations[:, k]) for name, k in skeleton.index.items()}

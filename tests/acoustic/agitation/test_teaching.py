@@ -3,18 +3,18 @@
 import numpy as np
 import pytest
 
-from understudy.acoustic.agitation.teaching import Taught, left_out, teach
+from understudy.acoustic.agitation.teaching import LabelledRecordings, left_out, teach
 from understudy.errors import InputError
 
 
-def _clouds(count: int = 48, speakers: int = 4, apart: float = 2.0) -> Taught:
+def _clouds(count: int = 48, speakers: int = 4, apart: float = 2.0) -> LabelledRecordings:
     """Three clouds, one a level, spoken by so many speakers."""
     random = np.random.default_rng(0)
     levels = np.arange(count) % 3
     features = random.normal(0, 1, (count, 12)) + (levels[:, np.newaxis] - 1) * apart
     features[0, 3] = np.nan
     names = np.array([f"speaker {(number // 3) % speakers}" for number in range(count)])
-    return Taught(features, np.eye(3)[levels], names)
+    return LabelledRecordings(features, np.eye(3)[levels], names)
 
 
 def test_levels_that_lie_apart_are_told_apart_for_speakers_left_out() -> None:
@@ -41,7 +41,7 @@ def test_a_recording_between_levels_belongs_to_both() -> None:
     memberships = taught.memberships.copy()
     memberships[1::3] = (0.0, 0.5, 0.5)
     memberships[1] = (0.0, 1.0, 0.0)
-    model = teach(Taught(taught.features, memberships, taught.speakers), "paper")
+    model = teach(LabelledRecordings(taught.features, memberships, taught.speakers), "paper")
     assert model.judge(np.zeros(12)).high > teach(taught, "paper").judge(np.zeros(12)).high
 
 

@@ -10,7 +10,7 @@ import soundfile
 from understudy.acoustic.alignment.decoder_process import (
     FRAME_SAMPLES,
     FRAMES_PER_S,
-    Decoded,
+    DecodedLine,
     DecodedPhone,
     DecoderProcess,
     FrameSpan,
@@ -43,7 +43,7 @@ def _figure8() -> tuple[FloatArray, list[list[str]], list[float]]:
     )
 
 
-def _decoded(samples: FloatArray, words: list[list[str]]) -> Decoded | None:
+def _decoded(samples: FloatArray, words: list[list[str]]) -> DecodedLine | None:
     process = DecoderProcess()
     try:
         return decode_in_pieces(process, samples, words)
@@ -51,7 +51,7 @@ def _decoded(samples: FloatArray, words: list[list[str]]) -> Decoded | None:
         process.close()
 
 
-def _starts_s(decoded: Decoded) -> FloatArray:
+def _starts_s(decoded: DecodedLine) -> FloatArray:
     return np.array([word[0].first_frame for word in decoded.words]) / FRAMES_PER_S
 
 
@@ -135,8 +135,8 @@ def test_where_no_word_is_heard_only_the_unsure_end_is_left() -> None:
 SHORT = DecodedPhone("T", 0, 10, -100)
 
 
-def _found(phone: DecodedPhone, *fillers: DecodedPhone) -> Decoded:
-    return Decoded([[SHORT, phone]], list(fillers))
+def _found(phone: DecodedPhone, *fillers: DecodedPhone) -> DecodedLine:
+    return DecodedLine([[SHORT, phone]], list(fillers))
 
 
 def _lasting(frames: int, per_frame: int = -10, label: str = "AH") -> DecodedPhone:
@@ -165,6 +165,6 @@ def test_a_vowel_that_really_is_long_stays(after: int, kept: bool) -> None:
     [_found(_lasting(20), _lasting(200, label="um")), _found(_lasting(200, label="HH"))],
     ids=["filler", "breath"],
 )
-def test_what_nobody_can_draw_out_goes_unless_the_words_fit_worse_without_it(before: Decoded) -> None:
+def test_what_nobody_can_draw_out_goes_unless_the_words_fit_worse_without_it(before: DecodedLine) -> None:
     assert fits_better(_found(_lasting(20)), before)
     assert not fits_better(_found(_lasting(20, -30)), before)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from understudy.batch.matching.joining import Joined, TakeChoice, join_recordings
+from understudy.batch.matching.joining import JoinedLines, TakeChoice, join_recordings
 from understudy.batch.matching.recordings import RecordingFile, RecordingPattern, find_recordings
 from understudy.batch.model import ScriptLine
 from understudy.errors import InputError
@@ -12,7 +12,7 @@ from understudy.errors import InputError
 
 def join(
     folder: Path, lines: list[ScriptLine], names: list[str], pattern: str = "", choice: TakeChoice = TakeChoice.LAST
-) -> Joined:
+) -> JoinedLines:
     for name in names:
         path = folder / "audio" / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -25,7 +25,7 @@ def line(name: str, recording: str = "", take: int | None = None, character: str
     return ScriptLine(row=2, id=name, text="no", recording=recording, take=take, character=character)
 
 
-def found(joined: Joined) -> dict[str, str]:
+def found(joined: JoinedLines) -> dict[str, str]:
     return {take.id: take.recording.path.name for take in joined.takes}
 
 

@@ -10,8 +10,8 @@ from understudy.behavior.characters.gesture_forms import with_forms
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.hands import fitted_as_asked
 from understudy.behavior.timing.anchoring import asked
-from understudy.behavior.timing.conflicts import Fitted
-from understudy.behavior.timing.time_index import KeptByTime
+from understudy.behavior.timing.conflicts import FittedBehavior
+from understudy.behavior.timing.time_index import TimeIndex
 from understudy.model import Behavior, Hand, Level
 from understudy.models import load_gesture_table
 
@@ -24,7 +24,7 @@ def made(
 ) -> tuple[list[Behavior], Behavior | None]:
     """What is kept of gestures on words of .3 s, and what was refused last."""
     words = spoken(" ".join(["word"] * 20), word_s=word_s)
-    kept = KeptByTime()
+    kept = TimeIndex()
     refused: Behavior | None = None
     for name, word, hand in names:
         entry = DEFAULT.entries[name]
@@ -33,7 +33,7 @@ def made(
         outcome = fitted_as_asked(
             replace(candidate, behavior=behavior), kept, hand=entry.hand, by_either_hand=by_either_hand
         )
-        if isinstance(outcome, Fitted):
+        if isinstance(outcome, FittedBehavior):
             kept = outcome.kept
         else:
             refused = outcome

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from tests.behavior.timing.test_conflicts import candidate
 from understudy.behavior.timing.anchoring import PlacedBehavior
-from understudy.behavior.timing.time_index import KeptByTime
+from understudy.behavior.timing.time_index import TimeIndex
 
 AT_S = st.floats(1.0, 40.0).map(lambda at_s: round(at_s, 1))
 
@@ -19,7 +19,7 @@ def _later(placed: PlacedBehavior) -> PlacedBehavior:
 
 @given(st.lists(AT_S, max_size=30), st.floats(-5.0, 50.0), st.floats(0.0, 20.0))
 def test_near_is_all_that_is_under_way(times_s: list[float], from_s: float, for_s: float) -> None:
-    kept, expected = KeptByTime(), list[PlacedBehavior]()
+    kept, expected = TimeIndex(), list[PlacedBehavior]()
     for number, at_s in enumerate(times_s):
         added = candidate(f"b{number}", at_s, 5)
         changed = [(expected[-1], _later(expected[-1]))] if number % 3 == 2 else []

@@ -8,7 +8,7 @@ import pytest
 
 from tests.support.words.by_hand import spoken
 from understudy.bml.reading.reader import read_bml
-from understudy.bml.reading.resolving import Resolved, resolve
+from understudy.bml.reading.resolving import ResolvedDocument, resolve
 from understudy.model import SyncPoints, Word
 
 CORE = 'xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b" characterId="c"'
@@ -20,7 +20,7 @@ def tie(*refs: str) -> str:
     return f"<constraint><synchronize>{points}</synchronize></constraint>"
 
 
-def resolved(inside: str, words: tuple[Word, ...] = ()) -> Resolved:
+def resolved(inside: str, words: tuple[Word, ...] = ()) -> ResolvedDocument:
     return resolve(read_bml(f"<bml {CORE}>{inside}</bml>".encode(), Path("a.bml"))[0], words)
 
 

@@ -10,7 +10,7 @@ from tests.support.shared_data import BML_SUITE, needs
 from tests.support.words.by_hand import spoken
 from understudy.behavior.table.behavior_table import STROKED
 from understudy.bml.reading.reader import read_bml
-from understudy.bml.reading.resolving import Resolved, resolve
+from understudy.bml.reading.resolving import ResolvedDocument, resolve
 from understudy.bml.writing.writer import write_bml
 from understudy.errors import WrongBmlError
 from understudy.model import Behavior, Channel, Interval, Level, Word
@@ -19,7 +19,7 @@ from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm
 CORE = 'xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b" characterId="c"'
 
 
-def resolved(inside: str, words: tuple[Word, ...] = ()) -> Resolved:
+def resolved(inside: str, words: tuple[Word, ...] = ()) -> ResolvedDocument:
     document, _notices = read_bml(f"<bml {CORE}>{inside}</bml>".encode(), Path("a.bml"))
     return resolve(document, words)
 

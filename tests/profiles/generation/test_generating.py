@@ -11,7 +11,7 @@ from understudy.model import Interval
 from understudy.profiles.annotation.model import TaggedWords
 from understudy.profiles.generation.behaviors import behaviors_of
 from understudy.profiles.generation.generating import Speaker, generate
-from understudy.profiles.generation.repertoire import Closed
+from understudy.profiles.generation.repertoire import ClosedWords
 from understudy.profiles.generation.script import GestureScript
 
 TEXT = "one two three four five six seven eight nine ten"
@@ -83,7 +83,7 @@ def test_the_same_seed_says_the_same_and_another_something_else() -> None:
 
 def test_closed_words_and_taken_hands_are_left_alone() -> None:
     speaker = profile({"A": habit(1.0)}, {"any": {"A": 0.5}}, per_minute=60)
-    closed = replace(repertoire("A"), closed=(Closed(0, 6),))
+    closed = replace(repertoire("A"), closed=(ClosedWords(0, 6),))
     assert all(each.word > 6 for each in generate(Speaker(speaker, closed), line(TEXT), EVERY_WORD).made)
     taken = replace(repertoire("A"), taken=(Interval(0.0, 3.0),))
     script = generate(Speaker(speaker, taken), line(TEXT), EVERY_WORD)

@@ -7,13 +7,13 @@ import pytest
 
 from tests.support.words.scripted import habit, profile
 from understudy.model import Interval
-from understudy.profiles.generation.phases import Timed
+from understudy.profiles.generation.phases import TimedStrokes
 from understudy.profiles.generation.units import joined
 from understudy.profiles.profile import Profile, UnitHabit
 
 
 def _sizes(speaker: Profile, starts_s: list[float]) -> list[int]:
-    strokes = [Timed((Interval(start_s, start_s + 0.3),), held=False) for start_s in starts_s]
+    strokes = [TimedStrokes((Interval(start_s, start_s + 0.3),), held=False) for start_s in starts_s]
     sizes: list[int] = []
     for is_joined in joined(speaker, strokes, [0] * len(strokes), random.Random(0)):
         sizes[-1:] = [sizes[-1] + 1] if is_joined else [*sizes[-1:], 1]

@@ -14,7 +14,7 @@ from understudy.profiles.annotation.tracks import Track, TrackSpan, rows_of, wit
 from understudy.profiles.proposing.bvh import WristPaths, read_wrists
 from understudy.profiles.proposing.phases import proposed_units
 from understudy.profiles.proposing.proposing import UNKNOWN, proposed_tracks
-from understudy.realization import MotionFormat, Realized, write_motion
+from understudy.realization import MotionFormat, RealizedSchedule, write_motion
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.realizing import realize
 
@@ -67,7 +67,7 @@ def test_our_own_motion_is_found_again(understudy: Understudy) -> None:
     schedule = Schedule(tuple(_gesture(*each) for each in enumerate(strokes_s)), 32.0)
     realizer = understudy.realizer
     motion = realize(realizer, schedule)
-    bvh = write_motion(Realized(schedule, motion), realizer, MotionFormat.BVH)
+    bvh = write_motion(RealizedSchedule(schedule, motion), realizer, MotionFormat.BVH)
     units = list(proposed_units(read_wrists(bvh, Path("x.bvh"))))
     assert len(units) == len(strokes_s)
     for unit, stroke_s in zip(units, strokes_s, strict=True):
@@ -77,7 +77,7 @@ def test_our_own_motion_is_found_again(understudy: Understudy) -> None:
 
 def test_wrists_are_where_the_skeleton_has_them(understudy: Understudy) -> None:
     motion = realize(understudy.realizer, Schedule((), 1.0))
-    bvh = write_motion(Realized(Schedule((), 1.0), motion), understudy.realizer, MotionFormat.BVH)
+    bvh = write_motion(RealizedSchedule(Schedule((), 1.0), motion), understudy.realizer, MotionFormat.BVH)
     wrists = read_wrists(bvh, Path("x.bvh"))
     skeleton = Skeleton.standing()
     assert len(wrists.left_m) == 60

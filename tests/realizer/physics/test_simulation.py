@@ -6,12 +6,12 @@ from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.physics.course import course_of
 from understudy.realizer.physics.physical_body import physical_body
-from understudy.realizer.physics.simulation import Simulated, simulate
+from understudy.realizer.physics.simulation import SimulatedMotion, simulate
 
 from .bodies import still_body
 
 
-def simulated(skeleton: Skeleton, body: BodyMotion) -> Simulated:
+def simulated(skeleton: Skeleton, body: BodyMotion) -> SimulatedMotion:
     physical = physical_body(skeleton)
     return simulate(physical, course_of(physical, skeleton, body))
 

@@ -9,7 +9,7 @@ import pytest
 from understudy.errors import InputError
 from understudy.model import FloatArray
 from understudy.models import Understudy
-from understudy.realization import PreparedSchedule, Realized, realize_prepared
+from understudy.realization import PreparedSchedule, RealizedSchedule, realize_prepared
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.gestures.gesture import Depth, HeightSector, SectorPlace, Sideways
 from understudy.realizer.gestures.gesture_space import sector_m
@@ -30,11 +30,11 @@ def _script(*gestures: dict[str, Any]) -> bytes:
     return json.dumps({"profile": "x", "duration_s": 6, "gestures": gestures, "units": [unit]}).encode()
 
 
-def _played(understudy: Understudy, content: bytes) -> Realized:
+def _played(understudy: Understudy, content: bytes) -> RealizedSchedule:
     return realize_prepared(understudy.realizer, PreparedSchedule.of(read_script(content)), frame_rate_hz=60)
 
 
-def _wrists_m(played: Realized) -> FloatArray:
+def _wrists_m(played: RealizedSchedule) -> FloatArray:
     """The right wrist at the start and the end of the stroke, outwards, above the hips, away."""
     skeleton, motion = Skeleton.standing(), played.motion
     sync = motion.realized["g1"]

@@ -9,7 +9,7 @@ from tests.support.words.utterances import words_of
 from understudy.model import Fact, Utterance
 from understudy.rules.chaining.chainer import derive
 from understudy.rules.chaining.matching import FactBase
-from understudy.rules.chaining.tracing import ObstacleKind, RuleTrace, Said, fires, trace_rule, trace_rules
+from understudy.rules.chaining.tracing import ObstacleKind, RuleTrace, ShownStatement, fires, trace_rule, trace_rules
 from understudy.rules.derivation import derive_facts
 from understudy.rules.program.program import Program, load_program
 
@@ -65,10 +65,13 @@ def obstacles(trace: RuleTrace) -> list[tuple[str, ObstacleKind, str]]:
 def test_a_firing_tells_what_was_joined_and_what_follows_with_the_words(program: Program) -> None:
     [more, strong] = trace_rules(program, known(program, "much more fun")).firings
     assert more.rule.name == "more_words"
-    assert more.joined == (Said("word(more, 1, 2)", (1, 2)), Said("word(fun, 2, 3)", (2, 3)))
-    assert more.concluded == (Said("fcn(comparison, plain, 1, 3)", (1, 3)),)
-    assert strong.joined == (Said("fcn(comparison, plain, 1, 3)", (1, 3)), Said("word(much, 0, 1)", (0, 1)))
-    assert strong.concluded == (Said("fcn(comparison, strong, 0, 3)", (0, 3)),)
+    assert more.joined == (ShownStatement("word(more, 1, 2)", (1, 2)), ShownStatement("word(fun, 2, 3)", (2, 3)))
+    assert more.concluded == (ShownStatement("fcn(comparison, plain, 1, 3)", (1, 3)),)
+    assert strong.joined == (
+        ShownStatement("fcn(comparison, plain, 1, 3)", (1, 3)),
+        ShownStatement("word(much, 0, 1)", (0, 1)),
+    )
+    assert strong.concluded == (ShownStatement("fcn(comparison, strong, 0, 3)", (0, 3)),)
 
 
 @pytest.mark.parametrize(
@@ -127,7 +130,7 @@ def test_a_choice_is_told_with_its_alternatives(tmp_path: Path) -> None:
     )
     program = load_program([path])
     [firing] = trace_rules(program, known(program, "no")).firings
-    assert firing.concluded == (Said("weight 2: nod(0, 1) frown(0, 1)"),)
+    assert firing.concluded == (ShownStatement("weight 2: nod(0, 1) frown(0, 1)"),)
 
 
 @pytest.mark.parametrize(

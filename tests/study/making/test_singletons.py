@@ -8,7 +8,7 @@ from understudy.errors import InputError
 from understudy.model import Channel, Line, Performance
 from understudy.models import Understudy
 from understudy.options import Options
-from understudy.realization import PreparedSchedule, Realized
+from understudy.realization import PreparedSchedule, RealizedSchedule
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.body.skeleton import forward
 from understudy.resources import resource_folder
@@ -28,7 +28,7 @@ def versions(understudy: Understudy) -> UnitVersions:
     return in_units_and_singly(understudy, StudyLine("l", LINE, Options(profile="sweeping")))
 
 
-def _strokes_s(found: Realized) -> dict[str, float | None]:
+def _strokes_s(found: RealizedSchedule) -> dict[str, float | None]:
     return {name: sync.stroke for name, sync in found.motion.realized.items() if name.startswith("script.")}
 
 
@@ -66,7 +66,7 @@ def test_units_need_a_profile(understudy: Understudy) -> None:
         in_units_and_singly(understudy, StudyLine("l", LINE, Options()))
 
 
-def _lows(understudy: Understudy, found: Realized) -> NDArray[np.bool_]:
+def _lows(understudy: Understudy, found: RealizedSchedule) -> NDArray[np.bool_]:
     """Whether both wrists hang, frame by frame."""
     skeleton = understudy.realizer.performer(found.schedule.character).skeleton
     body = found.motion.body
