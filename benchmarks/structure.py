@@ -1,13 +1,14 @@
 """The structure of the code in a line of figures, and as a picture: `python -m benchmarks.structure [--draw FILE.svg]`
 
-Modules, folders and levels of `app/` (without `__init__`), its largest room, and the lengths of functions in lines,
-from the syntax trees. The picture has the layers that import-linter keeps (pyproject.toml), the doors at the top, and
-within each room its modules.
+Modules, folders and levels of `app/` (without `__init__`), its largest room, the lengths of functions in lines, and
+class names that mean several things, from the syntax trees. The picture has the layers that import-linter keeps
+(pyproject.toml), the doors at the top, and within each room its modules.
 """
 
 import argparse
 import ast
 import tomllib
+from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from xml.sax.saxutils import escape
@@ -44,6 +45,16 @@ def function_lengths(paths: Sequence[Path]) -> list[int]:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef)
     ]
+
+
+def shared_names(paths: Sequence[Path]) -> dict[str, tuple[Path, ...]]:
+    """The names that public classes of several modules have, with these modules."""
+    places = defaultdict[str, list[Path]](list)
+    for path in paths:
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ClassDef) and not node.name.startswith("_"):
+                places[node.name].append(path)
+    return {name: tuple(found) for name, found in sorted(places.items()) if len(found) > 1}
 
 
 def rooms(paths: Sequence[Path]) -> dict[Path, int]:
@@ -93,6 +104,7 @@ def record_figures(paths: Sequence[Path], filled: dict[Path, int], lengths: NDAr
     record("house", "folders of app/", len(filled))
     record("house", "levels of folders, app/ counted", levels(paths), bar="≤ 4", aim="≤ 3")
     record("house", "modules in the largest room", max(filled.values()), bar="≤ 20", aim="≤ 16")
+    record("house", "class names that stand twice or more", len(shared_names(paths)), bar="≤ 46", aim="≤ 0")
     record("house", "lines of a function, 90 %", np.percentile(lengths, 90), bar="≤ 15")
     record("house", "lines of the longest function", lengths.max(), bar="≤ 40")
 
@@ -117,6 +129,8 @@ def main() -> None:
         f"{len(lengths)} functions, median {np.median(lengths):.0f}, p90 {np.percentile(lengths, 90):.0f}, "
         f"longest {lengths.max()} lines"
     )
+    for name, places in shared_names(paths).items():
+        print(f"{name} stands in {', '.join(str(path.relative_to(ROOT)) for path in places)}")
     if options.record:
         record_figures(paths, filled, lengths)
     if options.draw:
