@@ -7,7 +7,7 @@ BIN := .venv/bin
 help:
 	@awk '/^# /{c=substr($$0,3)} /^[a-z][a-z-]*:/{sub(":.*",""); printf "%-14s %s\n", $$0, c; c=""}' $(MAKEFILE_LIST)
 
-.PHONY: help format docs bench perform test search drill audit sbom test-clients serve npc plugin test-plugins lock client-types clean
+.PHONY: help format docs bench perform test types suite search drill audit sbom test-clients serve npc plugin test-plugins lock client-types clean
 
 # Installs into .venv and performs the bundled line: out/example.bml.
 perform: .venv/installed
@@ -23,13 +23,20 @@ npc: .venv/installed
 	cd clients/typescript && npm ci --silent && npm run --silent build
 	cd examples/npc && npm ci --silent && npm start
 
-# The test suite and all static checks, as CI runs them.
+# The test suite and all static checks, as CI runs them: the quick ones first, types beside the tests.
 test: .venv/installed-test
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/mypy
 	$(BIN)/lint-imports
+	$(MAKE) --no-print-directory --jobs 2 types suite
+
+# The types alone, and the rules.
+types: .venv/installed-test
+	$(BIN)/mypy
 	$(BIN)/understudy rules check
+
+# The tests alone.
+suite: .venv/installed-test
 	OMP_NUM_THREADS=1 $(BIN)/pytest -n auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder -rs
 
 # The service under attack, on loopback alone, some ten minutes; python -m benchmarks.api.drill takes longer.

@@ -1,7 +1,9 @@
 """Shared fixtures: the whole understudy, loaded once by each process that runs tests, and the service's nursery, which
 loads it in a process of its own."""
 
+import gc
 import os
+import sys
 from collections.abc import Iterator
 
 import hypothesis
@@ -34,8 +36,19 @@ hypothesis.settings.load_profile("understudy")
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Compiled rules are kept between runs, and shared by the processes of one, but not in the user's own cache."""
+    """Compiled rules are kept between runs, and shared by the processes of one, but not in the user's own cache. So is
+    compiled Python, which each of some hundred processes would compile anew otherwise."""
     os.environ["UNDERSTUDY_CACHE"] = str(config.rootpath / ".pytest_cache" / "understudy")
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    sys.dont_write_bytecode = False
+    gc.disable()
+
+
+def pytest_collection_finish() -> None:
+    """What is collected stays to the end: garbage is looked for neither meanwhile nor in it, which takes half a second
+    each time."""
+    gc.freeze()
+    gc.enable()
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -4,7 +4,7 @@ import ast
 import re
 from collections import defaultdict
 from collections.abc import Iterator
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 
 import pytest
@@ -26,6 +26,7 @@ DOCUMENTED = dict(re.findall(r"^\| `(\w+)` \| (\w+) \|", (ROOT / "docs/errors.md
 OF_THE_FRAMEWORK = {"not_found", "method_not_allowed", "not_acceptable", "http_error"}
 
 
+@cache
 def _codes() -> dict[str, set[str]]:
     """Every code that stands in the source, with the statuses (or "warning") of the calls that it stands in, or that
     such a call says."""
@@ -66,21 +67,22 @@ def _told_by(name: str) -> str | None:
     return None
 
 
-CODES = _codes()
-
-
 def test_the_page_lists_every_code_and_no_other() -> None:
-    assert set(DOCUMENTED) == CODES.keys() | OF_THE_FRAMEWORK | {"authoring"}
+    assert set(DOCUMENTED) == _codes().keys() | OF_THE_FRAMEWORK | {"authoring"}
 
 
-@pytest.mark.parametrize("code", sorted(CODES.keys() & DOCUMENTED.keys()))
-def test_the_page_tells_each_code_as_the_service_does(code: str) -> None:
-    if CODES[code] == {"service"}:
-        assert DOCUMENTED[code] == str(status_of(errors.ServiceError(code, "")))
-    elif DOCUMENTED[code] == "4XX":
-        assert all(status.startswith("4") for status in CODES[code])
-    else:
-        assert DOCUMENTED[code] in CODES[code]
+def test_the_page_tells_each_code_as_the_service_does() -> None:
+    assert {code: told for code, told in DOCUMENTED.items() if not _is_told(code, told)} == {}
+
+
+def _is_told(code: str, documented: str) -> bool:
+    """Whether the service tells the code with the status that the page has; the framework's own codes are not ours."""
+    statuses = _codes().get(code, {documented})
+    if statuses == {"service"}:
+        return documented == str(status_of(errors.ServiceError(code, "")))
+    if documented == "4XX":
+        return all(status.startswith("4") for status in statuses)
+    return documented in statuses
 
 
 def test_a_mistake_shows_its_place_under_its_line() -> None:

@@ -58,23 +58,20 @@ def wait_until(holds: Callable[[], bool]) -> None:
         time.sleep(0.02)
 
 
-def test_saved_rules_are_used_and_mistakes_change_nothing(client: TestClient, rules: Path) -> None:
+def test_mistakes_change_nothing_and_saved_rules_are_used(client: TestClient, rules: Path) -> None:
     file = rules / "functions" / "comparison.rules"
     written = file.read_text(encoding="utf-8")
     assert client.get("/readyz").json() == {"status": "ready"}
     assert "spoon" not in functions(client)
-    file.write_text(written + RULE, encoding="utf-8")
-    wait_until(lambda: "spoon" in functions(client))
-    assert "spoon" in [rule["name"] for rule in client.get("/rules").json()["rules"]]
-
     file.write_text(written + RULE.replace("fcn", "fnc"), encoding="utf-8")
     wait_until(lambda: "not_reloaded" in client.get("/readyz").json())
     answer = client.get("/readyz")
     assert answer.status_code == 200
     assert f"{file}:" in answer.json()["not_reloaded"]
     assert "did you mean" in answer.json()["not_reloaded"]
-    assert "spoon" in functions(client)
-
-    file.write_text(written, encoding="utf-8")
-    wait_until(lambda: client.get("/readyz").json() == {"status": "ready"})
     assert "spoon" not in functions(client)
+
+    file.write_text(written + RULE, encoding="utf-8")
+    wait_until(lambda: "spoon" in functions(client))
+    assert "spoon" in [rule["name"] for rule in client.get("/rules").json()["rules"]]
+    wait_until(lambda: client.get("/readyz").json() == {"status": "ready"})

@@ -64,12 +64,12 @@ def _wait_until_gone(family: list[psutil.Process]) -> None:
 
 
 def test_told_to_stop_it_refuses_finishes_within_the_grace_and_leaves_nothing_behind(tmp_path: Path) -> None:
-    settings = {"GRACE_S": "5", "WORKERS": "1", "QUEUE": "20", "QUEUE_S": "600", "DEADLINE_S": "600"}
+    settings = {"GRACE_S": "2", "WORKERS": "1", "QUEUE": "20", "QUEUE_S": "600", "DEADLINE_S": "600"}
     with _serving(tmp_path, **{f"UNDERSTUDY_{name}": value for name, value in settings.items()}) as served:
         family = psutil.Process(served.process.pid).children(recursive=True)
         answers: list[tuple[int, bytes]] = []
         asking = [
-            threading.Thread(target=lambda: answers.append(served.ask("POST", "/realize", LONG_BML))) for _ in range(20)
+            threading.Thread(target=lambda: answers.append(served.ask("POST", "/realize", LONG_BML))) for _ in range(6)
         ]
         for each in asking:
             each.start()

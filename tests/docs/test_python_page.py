@@ -1,13 +1,6 @@
-"""The examples of docs/python.md do what the page says, as installed from the checkout; tests/test_wheel.py has them
-from a wheel."""
+"""Every example of docs/python.md is run: from a wheel, by tests/test_wheel.py."""
 
-from pathlib import Path
-
-from tests.support.python_page import EXAMPLES, PAGE, ROOT, run_page
-
-
-def test_the_examples_print_what_the_page_says(tmp_path: Path) -> None:
-    run_page(tmp_path, ROOT / "src")
+from tests.support.python_page import EXAMPLES, PAGE
 
 
 def test_every_example_is_run() -> None:

@@ -88,6 +88,8 @@ def _obey(control: socket.socket, models: LiveModels, idle_s: float | None = Non
 def _warm(models: LiveModels) -> None:
     """Performs and realizes the bundled line, and streams it live, so that workers inherit whatever is loaded lazily;
     then freezes all objects, for garbage collection would write to every shared page."""
+    import scipy.optimize  # noqa: F401  # for lines with a profile, which this one does without
+
     examples = resource_folder("examples")
     sound, text = (examples / "example.flac").read_bytes(), (examples / "example.txt").read_text(encoding="utf-8")
     performed = perform_line(models.understudy, Line(sound, text), Options())

@@ -8,7 +8,7 @@ others. Newlines separate statements except inside parentheses.
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -61,8 +61,12 @@ def read_rules(path: Path) -> tuple[RuleFile, tuple[Mistake, ...]]:
     return parse_rules(text, path)
 
 
+@lru_cache(maxsize=64)
 def parse_rules(text: str, path: Path) -> tuple[RuleFile, tuple[Mistake, ...]]:
-    """As `read_rules`, for text in memory; `path` is for messages."""
+    """As `read_rules`, for text in memory; `path` is for messages.
+
+    Cached, since when an author saves one file all others are read again as they were.
+    """
     lines = tuple(line.expandtabs(1) for line in text.split("\n"))
     blocks: list[Block] = []
     unread: list[str] = []

@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from librosa.feature import mfcc
 
 from understudy.acoustic.signal.spectrum import cepstral_basis, mel_filters
 
@@ -33,6 +32,8 @@ def test_nothing_outside_is_heard() -> None:
 
 
 def test_the_basis_makes_librosas_coefficients() -> None:
+    from librosa.feature import mfcc  # which takes seconds to import: not in each process that collects tests
+
     levels_db = np.random.default_rng(1).normal(-40, 20, (50, 40))
     theirs = mfcc(S=levels_db.T, n_mfcc=13, norm="ortho").T
     assert levels_db @ cepstral_basis(40, 13) == pytest.approx(theirs, abs=1e-9)

@@ -4,7 +4,7 @@ what it does not use."""
 import json
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 import pytest
@@ -15,29 +15,65 @@ TEXT_FILE = str(AUDIO_FOLDER / "figure8.txt")
 LINE = (AUDIO, "--text-file", TEXT_FILE)
 BML = '<bml xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b"><head id="h" lexeme="NOD" stroke="1.0"/></bml>'
 
-WATCHED = ("spacy", "pocketsphinx", "librosa", "numba", "sklearn", "scipy.fft", "scipy.ndimage", "matplotlib", "lark")
-LARGE = {"spacy", "pocketsphinx", "librosa", "numba", "sklearn", "scipy.fft", "scipy.ndimage", "matplotlib"}
+LARGE = {
+    *("spacy", "pocketsphinx", "librosa", "numba", "sklearn", "matplotlib"),
+    *("scipy.fft", "scipy.ndimage", "scipy.optimize"),
+}
+WATCHED = (*sorted(LARGE), "lark")
 REALIZER = "understudy.realizer.realizing"
 HEARING, PARSER, RULES = "understudy.acoustic.stage", "understudy.syntax", "understudy.rules"
 STAGES = (HEARING, PARSER, RULES)
 
 
-def loaded_by(*argv: str, cwd: Path) -> tuple[int, str, set[str]]:
-    """The exit code in a process of its own, the error's code, and what of `WATCHED` is loaded when it ends."""
-    code = (
-        "import json, sys; from understudy.cli.main import main\n"
-        "ended = main(['--json-log', *sys.argv[1:]])\n"
-        f"print('LOADED', json.dumps([ended, sorted({{*{(*WATCHED, REALIZER, *STAGES)!r}}} & {{*sys.modules}})]))"
-    )
-    done = subprocess.run([sys.executable, "-c", code, *argv], cwd=cwd, capture_output=True, text=True, check=False)
-    assert "LOADED" in done.stdout, done.stderr
-    ended, loaded = json.loads(done.stdout.rpartition("LOADED")[2])
-    errors = [json.loads(line) for line in done.stderr.splitlines() if '"error"' in line]
-    return ended, errors[0]["code"] if errors else "", {*loaded}
+FORKING = """
+import contextlib, io, json, os, sys
+from understudy.cli.main import main
+for line in sys.stdin:
+    folder, argv, watched = json.loads(line)
+    if os.fork():
+        os.wait()
+        continue
+    os.chdir(folder)
+    told = io.StringIO()
+    with contextlib.redirect_stdout(io.TextIOWrapper(io.BytesIO())), contextlib.redirect_stderr(told):
+        ended = main(["--json-log", *argv])
+    errors = [json.loads(line)["code"] for line in told.getvalue().splitlines() if '"error"' in line]
+    print(json.dumps([ended, (errors or [""])[0], sorted({*watched} & {*sys.modules})]), flush=True)
+    os._exit(0)
+"""
+"""Runs each command in a process that has loaded what every command loads, and no more."""
+
+Run = Callable[..., tuple[int, str, set[str]]]
 
 
-@pytest.fixture
-def folder(tmp_path: Path) -> Path:
+@pytest.fixture(scope="module")
+def loaded_by() -> Iterator[Run]:
+    """Runs a command in a folder: the exit code, the error's code, and what of `WATCHED` is loaded when it ends."""
+    with subprocess.Popen(
+        [sys.executable, "-c", FORKING], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as process:
+        assert process.stdin
+        assert process.stdout
+        asked, answers = process.stdin, process.stdout
+
+        def run(*argv: str, cwd: Path) -> tuple[int, str, set[str]]:
+            print(json.dumps([str(cwd), argv, (*WATCHED, REALIZER, *STAGES)]), file=asked, flush=True)
+            ended, code, loaded = json.loads(answers.readline())
+            return ended, code, {*loaded}
+
+        yield run
+        asked.close()
+
+
+@pytest.fixture(scope="module")
+def kept(loaded_by: Run, folder: Path) -> None:
+    """What the first run makes and all others find, for which lark and librosa are loaded."""
+    loaded_by("perform", *LINE, "--realize", "first.bvh", cwd=folder)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    tmp_path = tmp_path_factory.mktemp("early")
     (tmp_path / "line.bml").write_text(BML)
     (tmp_path / "words.json").write_text('{"words": [{"text": "other", "start_s": 0, "end_s": 1}]}')
     (tmp_path / "functions.json").write_text('[{"class": "negotiation", "subtype": "plain", "first": 0, "last": 0}]')
@@ -78,7 +114,9 @@ def folder(tmp_path: Path) -> Path:
         (("realize", "nowhere.bml", "-o", "a.glb"), "file_unreadable"),
     ],
 )
-def test_what_is_wrong_is_told_before_anything_large_is_loaded(argv: Sequence[str], code: str, folder: Path) -> None:
+def test_what_is_wrong_is_told_before_anything_large_is_loaded(
+    argv: Sequence[str], code: str, loaded_by: Run, folder: Path
+) -> None:
     ended, told, loaded = loaded_by(*argv, cwd=folder)
     assert (ended, told) == (2, code)
     assert loaded & LARGE == set()
@@ -97,15 +135,17 @@ def test_what_is_wrong_is_told_before_anything_large_is_loaded(argv: Sequence[st
         (("perform", *LINE), {"spacy", "pocketsphinx", "scipy.fft"}),
     ],
 )
-def test_a_command_loads_what_it_uses(argv: Sequence[str], used: set[str], folder: Path) -> None:
-    """The first run may make what is then kept, for which lark and librosa are loaded."""
-    loaded_by(*argv, cwd=folder)
+@pytest.mark.usefixtures("kept")
+def test_a_command_loads_what_it_uses(argv: Sequence[str], used: set[str], loaded_by: Run, folder: Path) -> None:
     ended, told, loaded = loaded_by(*argv, cwd=folder)
     assert (ended, told) == (0, "")
     assert loaded - {*STAGES} == used
 
 
-def test_to_play_bml_neither_parser_nor_rules_are_loaded_and_what_hears_only_for_a_recording(folder: Path) -> None:
+@pytest.mark.usefixtures("kept")
+def test_to_play_bml_neither_parser_nor_rules_are_loaded_and_what_hears_only_for_a_recording(
+    loaded_by: Run, folder: Path
+) -> None:
     assert {*STAGES} & loaded_by("realize", "line.bml", "-o", "a.bvh", cwd=folder)[2] == set()
     with_audio = loaded_by("realize", "line.bml", "--audio", AUDIO, "-o", "a.bvh", cwd=folder)[2]
     assert HEARING in with_audio
