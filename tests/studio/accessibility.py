@@ -16,6 +16,12 @@ def serious_findings(page: Page) -> list[str]:
     return [*_findings(page, "dark", CONTRAST), *_findings(page, "light", {})]
 
 
+def findings_as_seen(page: Page) -> list[str]:
+    """The same in the theme that is shown."""
+    theme = page.evaluate("matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'")
+    return _findings(page, theme, {})
+
+
 def _findings(page: Page, theme: str, options: dict[str, Any]) -> list[str]:
     page.evaluate("(theme) => { document.documentElement.dataset.theme = theme; }", theme)
     found = Axe().run(page, options=options or None).response["violations"]

@@ -4,29 +4,18 @@
 the page asked anybody but its own service. `opened` has performed the example line.
 """
 
-import re
 import shutil
-import subprocess
-import sys
-import time
 from collections.abc import Iterator
-from os import environ
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page, ViewportSize, expect, sync_playwright
 
+from tests.studio.serving import FLAGS, Theme, perform_scene, served
+from understudy.models import Understudy
+
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
-FLAGS = (
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--autoplay-policy=no-user-gesture-required",
-)
 SIZE = ViewportSize(width=1280, height=720)
 PATIENCE_MS = 60_000
 NOT_ASKED = ("data:", "blob:")
@@ -47,21 +36,31 @@ def browser() -> Iterator[Browser]:
 @pytest.fixture(scope="session")
 def service_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """A service on a free port, with one worker."""
-    log = tmp_path_factory.mktemp("service") / "log"
-    command = [sys.executable, "-m", "understudy.cli", "serve", "--port", "0"]
-    with log.open("wb") as out:
-        process = subprocess.Popen(command, stderr=out, env=environ | {"UNDERSTUDY_WORKERS": "1"})
-    try:
-        yield _address(process, log)
-    finally:
-        process.terminate()
-        process.wait()
+    with served(tmp_path_factory.mktemp("service") / "log") as address:
+        yield address
+
+
+@pytest.fixture(scope="session")
+def scene(understudy: Understudy, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a scene that was performed."""
+    return perform_scene(understudy, tmp_path_factory.mktemp("scene"))
 
 
 @pytest.fixture
 def page(browser: Browser, service_url: str) -> Iterator[Page]:
+    with opened_page(browser, service_url) as made:
+        yield made
+
+
+@contextmanager
+def opened_page(
+    browser: Browser, service_url: str, size: ViewportSize | None = None, theme: Theme = "light"
+) -> Iterator[Page]:
+    """A page that was not opened yet; raises AssertionError at the end where something went wrong in it."""
     faults: list[str] = []
-    context = browser.new_context(viewport=SIZE, accept_downloads=True, base_url=service_url)
+    context = browser.new_context(
+        viewport=size or SIZE, color_scheme=theme, accept_downloads=True, base_url=service_url
+    )
     made = context.new_page()
     made.set_default_timeout(PATIENCE_MS)
     made.on("pageerror", lambda error: faults.append(str(error)))
@@ -80,12 +79,3 @@ def opened(page: Page) -> Page:
 
 def _elsewhere(url: str, service_url: str) -> list[str]:
     return [] if url.startswith((service_url, *NOT_ASKED)) else [f"asked for {url}"]
-
-
-def _address(process: subprocess.Popen[bytes], log: Path) -> str:
-    while process.poll() is None:
-        found = re.search(r"listening on (http://\S+)", log.read_text())
-        if found:
-            return found[1]
-        time.sleep(0.05)
-    raise AssertionError(log.read_text())

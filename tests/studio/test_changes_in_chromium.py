@@ -53,6 +53,7 @@ def test_a_mark_is_moved_by_mouse_the_motion_changes_and_is_undone(opened: Page)
     while opened.locator("#undo").is_enabled():
         opened.click("#undo")
     wait_until(opened, f"Math.abs({STROKE}.value - {before_s}) < 0.002")
+    select(opened, "gesture NEGATION")
     expect(opened.locator("#stage-canvas")).to_have_attribute("data-pose", pose)
 
 

@@ -10,38 +10,9 @@ from playwright.sync_api import Page
 
 from tests.studio.accessibility import serious_findings
 from tests.studio.waiting import PATIENCE_S, wait_until
-from tests.support.batches import ThisProcess
-from understudy.batch.batch import Nobody, run_batch
-from understudy.batch.request import BatchRequest
-from understudy.batch.work.formats import formats_named
-from understudy.batch.work.jobs import MotionForm
-from understudy.models import Understudy
-from understudy.resources import resource_folder
-from understudy.settings import Settings
 
 LINE_S, PAUSE_S = 7.18, 0.4
 """Both lines are the bundled one."""
-
-
-@pytest.fixture(scope="module")
-def scene(understudy: Understudy, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A batch of two lines, which two characters say to each other."""
-    folder, example = tmp_path_factory.mktemp("scene"), resource_folder("examples")
-    text = (example / "example.txt").read_text().strip()
-    (folder / "audio").mkdir()
-    for name in ("one", "two"):
-        (folder / "audio" / f"{name}.flac").write_bytes((example / "example.flac").read_bytes())
-    (folder / "lines.csv").write_text(f'id,scene,character,text\none,1,ELIZA,"{text}"\ntwo,1,HENRY,"{text}"\n')
-    request = BatchRequest(
-        folder / "lines.csv",
-        folder / "audio",
-        folder / "out",
-        formats=formats_named(["clip.json", "wav"]),
-        motion=MotionForm(frame_rate_hz=30),
-        learns_voices=False,
-    )
-    run_batch(request, Settings(), lambda: ThisProcess(understudy), Nobody())
-    return folder / "out"
 
 
 @pytest.fixture

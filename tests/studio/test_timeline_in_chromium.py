@@ -60,18 +60,18 @@ def test_zooming_is_undone_by_the_whole_line(opened: Page) -> None:
     assert opened.get_attribute("#timeline-canvas", "data-stretch") == whole
 
 
-def test_rows_fold_and_stay_folded(opened: Page) -> None:
+def test_rows_unfold_and_grow_and_stay_so(opened: Page) -> None:
     before = opened.locator("#timeline-canvas").bounding_box()
     opened.click(".gutter button:has-text('Sounds')")
     opened.focus(".gutter button:has-text('Voice')")
     opened.keyboard.press("+")
-    expect(opened.locator(".gutter button[data-row=phones]")).to_have_attribute("aria-expanded", "false")
+    expect(opened.locator(".gutter button[data-row=phones]")).to_have_attribute("aria-expanded", "true")
     opened.reload()
-    expect(opened.locator(".gutter button[data-row=phones]")).to_have_attribute("aria-expanded", "false")
+    expect(opened.locator(".gutter button[data-row=phones]")).to_have_attribute("aria-expanded", "true")
     after = opened.locator("#timeline-canvas").bounding_box()
     assert before
     assert after
-    assert after["height"] == pytest.approx(before["height"] - 8 + 10, abs=1)
+    assert after["height"] == pytest.approx(before["height"] + 8 + 10, abs=1)
 
 
 def test_a_movement_is_copied_to_the_playhead_and_undone(opened: Page) -> None:

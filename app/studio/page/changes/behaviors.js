@@ -1,6 +1,7 @@
 /** What an author does to a behaviour of the performance that is looked at: each a change that can be undone. */
 
 import { PERFORMED, SELECTION } from "../state/performed.js";
+import { MARKED } from "../timeline/pointing.js";
 import { changeEdits, editsOf } from "./change_edits.js";
 import { editOf, withAdded, withBehavior, withoutBehavior } from "./edits.js";
 import { marksOf, wordReference } from "./references.js";
@@ -27,6 +28,16 @@ export function madeOf(store) {
  */
 export function selectedBehavior(store) {
   return behaviorOf(madeOf(store), store.get(SELECTION));
+}
+
+/**
+ * The movements that are selected, the one that the inspector shows first.
+ *
+ * @param {Store} store
+ */
+export function selectedBehaviors(store) {
+  const made = madeOf(store);
+  return [selectedBehavior(store), ...store.get(MARKED).map((id) => behaviorOf(made, id))].filter((each) => each !== null);
 }
 
 /**

@@ -15,10 +15,13 @@ import { keepSelected } from "./following.js";
 import { inspector } from "./inspector.js";
 import { followKeys } from "./keys.js";
 import { askForLexemes, LEXEMES } from "./lexemes.js";
+import { clipsOf } from "./gesture_clips.js";
+import { thumbnail } from "./thumbnails.js";
 import { wordPanel } from "./word_panel.js";
 import { wordOf } from "./words.js";
 import { saidOf } from "../reasons/sentences.js";
 
+/** @import { Behavior } from "understudy-client" */
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
 
@@ -63,12 +66,27 @@ function showSelected(element, store, service) {
     redraw(element, [el("p", { class: "quiet" }, [HINT])]);
     return;
   }
-  const fields = behavior
-    ? inspector(store, service, lexemes, behavior)
-    : index === null
-      ? []
-      : wordPanel(store, service, lexemes, { performance: line.performance, index });
-  redraw(element, [el("h3", { title: said.technical }, [said.name]), el("p", { class: "quiet about" }, [said.about]), el("p", { id: "why" }, [said.why]), ...fields]);
+  const word = index === null ? [] : wordPanel(store, service, lexemes, { performance: line.performance, index });
+  const fields = behavior ? inspector(store, service, lexemes, behavior) : word;
+  redraw(element, [heading(pictureOf(service, behavior), said), el("p", { id: "why" }, [said.why]), ...fields]);
+}
+
+/**
+ * A gesture as a moving figure; nothing for other movements.
+ *
+ * @param {Service} service
+ * @param {Behavior | null} behavior
+ */
+function pictureOf(service, behavior) {
+  return behavior?.kind === "gesture" ? [thumbnail(clipsOf(service), behavior.lexeme)] : [];
+}
+
+/**
+ * @param {readonly Node[]} picture
+ * @param {Readonly<{ name: string, technical: string, about: string }>} said
+ */
+function heading(picture, { name, technical, about }) {
+  return el("div", { class: "what" }, [...picture, el("div", {}, [el("h3", { title: technical }, [name]), el("p", { class: "quiet about" }, [about])])]);
 }
 
 const HINT = "Select a movement or a word on the timeline to see what it is, change it, and read why it is there.";

@@ -1,5 +1,5 @@
 /**
- * What is dragged on the timeline is moved: a behaviour with everything, a mark, or an edge of a word. While it goes on the
+ * What is dragged on the timeline is moved: a behaviour with everything (and with whatever moves along), a mark, or an edge of a word. While it goes on the
  * line is performed again as soon as the service is free; all of one drag counts from where the behaviour was before it.
  */
 
@@ -7,7 +7,7 @@ import { BUSY, PERFORMED } from "../state/performed.js";
 import { DRAG } from "../timeline/pointing.js";
 import { behaviorOf, madeOf } from "./behaviors.js";
 import { changeEdits, editsOf } from "./change_edits.js";
-import { withMoved } from "./moving.js";
+import { movedWith, withAllMoved, withMoved } from "./moving.js";
 import { withWordMoved, wordOf } from "./words.js";
 
 /** @import { Edits } from "understudy-client" */
@@ -40,21 +40,26 @@ export function moveWhatIsDragged(store) {
  * @param {Drag} drag
  */
 function begun(store, { id, mark }) {
-  const editsAt = movingBehavior(store, id) ?? movingWord(store, id);
+  const editsAt = movingBehavior(store, id, mark) ?? movingWord(store, id);
   return editsAt && { label: `Move ${mark ?? "all"} of ${id}`, editsAt };
 }
 
 /**
  * @param {Store} store
  * @param {string} id
+ * @param {string | null} mark
  * @returns {Dragging | null}
  */
-function movingBehavior(store, id) {
+function movingBehavior(store, id, mark) {
   const [made, now] = [madeOf(store), editsOf(store)];
   const behavior = behaviorOf(made, id);
-  return made && behavior?.kept
-    ? ({ mark, from_s, to_s }) => withMoved(now, made, behavior, mark, to_s - from_s)
-    : null;
+  if (!made || !behavior?.kept) {
+    return null;
+  }
+  const moved = mark === null || mark === "stroke" ? movedWith(store, [behavior]) : [behavior];
+  return moved.length > 1
+    ? ({ from_s, to_s }) => withAllMoved(now, made, moved, to_s - from_s)
+    : ({ from_s, to_s }) => withMoved(now, made, behavior, mark, to_s - from_s);
 }
 
 /**

@@ -5,15 +5,14 @@ import { GROUPS, groupOf, searchedText } from "../naming/groups.js";
 import { familyName } from "../naming/meanings.js";
 import { movementName, plain } from "../naming/movements.js";
 import { favourites, recent, remember, toggleFavourite } from "./favourites.js";
-import { GestureClips, thumbnail } from "./thumbnails.js";
+import { clipsOf } from "./gesture_clips.js";
+import { thumbnail } from "./thumbnails.js";
 
 /** @import { Service } from "../service/service.js" */
 /** @import { Lexemes } from "./lexemes.js" */
+/** @import { GestureClips } from "./gesture_clips.js" */
 
 /** @typedef {Readonly<{ clips: GestureClips, lexemes: Lexemes, now: string, choose: (lexeme: string) => void }>} Shelf */
-
-/** Clips stay for the next time, as long as the service is the same. @type {WeakMap<Service, GestureClips>} */
-const CLIPS = new WeakMap();
 
 /**
  * Opens the browser; `chosen` is called with the lexeme that is chosen, if one is.
@@ -23,8 +22,7 @@ const CLIPS = new WeakMap();
  * @param {{ now: string, chosen: (lexeme: string) => void }} asked
  */
 export function browseGestures(service, lexemes, { now, chosen }) {
-  const clips = CLIPS.get(service) ?? new GestureClips(service);
-  CLIPS.set(service, clips);
+  const clips = clipsOf(service);
   const dialog = el("dialog", { id: "gesture-browser", "aria-label": "Gestures" });
   const choose = (/** @type {string} */ lexeme) => {
     remember(lexeme);
@@ -36,15 +34,14 @@ export function browseGestures(service, lexemes, { now, chosen }) {
   const family = choice([["", "Anything"], ...lexemes.families.map(asOption)], lexemes.familiesOf(now)[0] ?? "", () => show());
   family.id = "gesture-family";
   const show = () => {
-    const found = matching(lexemes, family.value, name.value);
-    const isWhole = family.value === "" && name.value.trim() === "";
-    shown.replaceChildren(...sections(lexemes, found, isWhole).map((section) => shelf({ clips, lexemes, now, choose }, section)));
+    const found = sections(lexemes, family.value, name.value);
+    shown.replaceChildren(...found.map((section) => shelf({ clips, lexemes, now, choose }, section)));
     if (found.length === 0) {
-      shown.append(el("p", { class: "quiet" }, ["No gesture is called or means that."]));
+      shown.append(el("p", { class: "quiet" }, ["No gesture is called that or means that. Try another word, such as “yes”, “big” or “over there”."]));
     }
   };
   name.addEventListener("input", show);
-  openDialog(dialog, [labelled("Search", name), labelled("It says", family)], shown);
+  openDialog(dialog, [labelled("Search", name), labelled("Suggest for", family)], shown);
   show();
 }
 
@@ -80,16 +77,21 @@ export function matching(lexemes, family, text) {
 }
 
 /**
- * Gestures under what they mean; of all of them, those that the author uses come first.
+ * Gestures under what they mean: first those of the family, then those that the author uses, then all. Where something is
+ * searched, what is found alone.
  *
  * @param {Lexemes} lexemes
- * @param {readonly string[]} found
- * @param {boolean} isWhole
+ * @param {string} family
+ * @param {string} text
  */
-function sections(lexemes, found, isWhole) {
-  const own = [["Recent", recent()], ["Favourites", favourites()]].map(([title, some]) => ({ title: String(title), found: found.filter((each) => some?.includes(each)) }));
-  const grouped = GROUPS.map((group) => ({ title: group.name, found: found.filter((each) => groupOf(lexemes.familiesOf(each)) === group) }));
-  return [...(isWhole ? own : []), ...grouped].filter((section) => section.found.length > 0);
+function sections(lexemes, family, text) {
+  const found = matching(lexemes, "", text);
+  const isSearched = text.trim() !== "";
+  const first = family && !isSearched ? matching(lexemes, family, text) : [];
+  const suggested = { title: `For “${familyName(family)}”`, found: first };
+  const own = [["Recent", recent()], ["Favourites", favourites()]].map(([title, some]) => ({ title: String(title), found: found.filter((each) => !first.includes(each) && some?.includes(each)) }));
+  const grouped = GROUPS.map((group) => ({ title: group.name, found: found.filter((each) => !first.includes(each) && groupOf(lexemes.familiesOf(each)) === group) }));
+  return [...(isSearched ? [] : [suggested, ...own]), ...grouped].filter((section) => section.found.length > 0);
 }
 
 /**

@@ -1,6 +1,7 @@
 /** What can be changed in the behaviour that is selected: fields for its lexeme, hand, size and marks, and buttons. */
 
 import { choice, el, labelled } from "../dom.js";
+import { icon } from "../icons.js";
 import { movementName, plain } from "../naming/movements.js";
 import { MARKS } from "../timeline/phases.js";
 import { changeBehavior, editOfSelected, lockBehavior, revertBehavior } from "./behaviors.js";
@@ -10,11 +11,15 @@ import { putMark } from "./moving.js";
 
 /** @import { Behavior, BehaviorEdit } from "understudy-client" */
 /** @import { Service } from "../service/service.js" */
+/** @import { IconName } from "../icons.js" */
 /** @import { Store } from "../state/store.js" */
 /** @import { Lexemes } from "./lexemes.js" */
 
 const HANDS = /** @type {const} */ ([["left", "Left"], ["right", "Right"], ["both", "Both"]]);
 const STEP_S = 0.01;
+const HINTS = Object.freeze({ lock: "Keep it whatever else changes (Shift+L)", mute: "Leave it out for now (M)", delete: "Delete it (Delete)" });
+/** @type {Readonly<Record<keyof typeof HINTS, IconName>>} */
+const SIGNS = Object.freeze({ lock: "lock", mute: "mute", delete: "trash" });
 
 /**
  * The fields of a behaviour.
@@ -37,7 +42,7 @@ export function inspector(store, service, lexemes, behavior) {
  */
 function what(store, service, lexemes, behavior) {
   const { kind, hand, amount } = behavior;
-  const fields = [labelled("Movement", lexeme(store, service, lexemes, behavior))];
+  const fields = [labelled(kind === "gesture" ? "Gesture" : "Movement", lexeme(store, service, lexemes, behavior))];
   if (kind === "gesture") {
     const chosen = (/** @type {string} */ value) =>
       changeBehavior(store, "Hand of", behavior, { hand: /** @type {BehaviorEdit["hand"]} */ (value) });
@@ -48,7 +53,7 @@ function what(store, service, lexemes, behavior) {
     size.addEventListener("input", () => changeBehavior(store, "Size of", behavior, { amount: Number(size.value) }));
     fields.push(labelled("Size", size));
   }
-  return el("div", { class: "pair" }, fields);
+  return el("div", { class: "rows" }, fields);
 }
 
 /**
@@ -63,7 +68,7 @@ function lexeme(store, service, lexemes, behavior) {
   const chosen = (/** @type {string} */ value) => changeBehavior(store, "Movement of", behavior, { lexeme: value });
   if (behavior.kind === "gesture") {
     const open = () => browseGestures(service, lexemes, { now: behavior.lexeme, chosen });
-    return el("button", { type: "button", id: "replace", "aria-haspopup": "dialog", title: `${behavior.lexeme}: choose another gesture`, click: open }, [`${movementName("gesture", behavior.lexeme)}…`]);
+    return el("button", { type: "button", id: "replace", "aria-haspopup": "dialog", title: `Choose another gesture than ${movementName("gesture", behavior.lexeme)}`, click: open }, ["Replace…"]);
   }
   const names = lexemes.of(behavior.kind);
   return choice(names.map((name) => [name, movementName(behavior.kind, name)]), behavior.lexeme, chosen);
@@ -78,7 +83,7 @@ function marks(store, behavior) {
     const time_s = behavior.sync[mark];
     return time_s === undefined ? [] : [labelled(plain(mark), markField(store, behavior, mark, time_s))];
   });
-  return el("fieldset", { class: "marks" }, [el("legend", {}, ["When, in seconds"]), ...rows]);
+  return el("fieldset", { class: "marks" }, [el("legend", {}, ["Timing, s"]), ...rows]);
 }
 
 /**
@@ -103,21 +108,21 @@ function markField(store, behavior, mark, time_s) {
  */
 function buttons(store, behavior) {
   const edit = editOfSelected(store);
-  const button = (/** @type {string} */ id, /** @type {string} */ text, /** @type {() => void} */ click, /** @type {boolean} */ on) =>
-    el("button", { type: "button", id, "aria-pressed": String(on), click }, [text]);
+  const button = (/** @type {"lock" | "mute" | "delete"} */ id, /** @type {() => void} */ click, /** @type {boolean} */ on) =>
+    el("button", { type: "button", id, title: HINTS[id], "aria-pressed": String(on), click }, [icon(SIGNS[id]), plain(id)]);
   const isLocked = edit?.lock === true;
   const omission = edit?.omit ?? null;
   const made = behavior.kept
-    ? [button("lock", "Lock", () => lockBehavior(store, behavior, !isLocked), isLocked)]
+    ? [button("lock", () => lockBehavior(store, behavior, !isLocked), isLocked)]
     : [];
   const omitted = behavior.kept || omission
     ? [
-        button("mute", "Mute", () => changeOmission(store, behavior, "muted"), omission === "muted"),
-        button("delete", "Delete", () => changeOmission(store, behavior, "deleted"), omission === "deleted"),
+        button("mute", () => changeOmission(store, behavior, "muted"), omission === "muted"),
+        button("delete", () => changeOmission(store, behavior, "deleted"), omission === "deleted"),
       ]
     : [];
   const back = edit
-    ? [el("button", { type: "button", id: "take-back", click: () => revertBehavior(store, behavior) }, ["Take back"])]
+    ? [el("button", { type: "button", id: "take-back", title: "Undo all changes to it", click: () => revertBehavior(store, behavior) }, [icon("reset"), "Reset"])]
     : [];
-  return el("div", { class: "row", role: "group", "aria-label": "Behaviour" }, [...made, ...omitted, ...back]);
+  return el("div", { class: "row", role: "group", "aria-label": "This movement" }, [...made, ...omitted, ...back]);
 }

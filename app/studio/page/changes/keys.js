@@ -1,16 +1,17 @@
 /**
  * The keyboard's way to change all that is selected, while the timeline has the focus: Delete deletes, M mutes, Shift+L
- * locks; with Alt the arrows move it, or the word that is selected, by 20 ms, with Shift too by 100 ms. Ctrl+C copies
- * movements, Ctrl+V pastes them at the playhead. Single marks and the edges of words are moved by their fields.
+ * locks; with Alt the arrows move it, or the word that is selected, by 20 ms, with Shift too by 100 ms, and [ and ] begin and
+ * end it at the playhead. Ctrl+C copies movements, Ctrl+V pastes them at the playhead. R has what comes later move along, or
+ * no longer. Single marks and the edges of words are moved by their fields.
  */
 
-import { SELECTION } from "../state/performed.js";
-import { MARKED } from "../timeline/pointing.js";
-import { behaviorOf, editOfSelected, lockBehavior, madeOf, selectedBehavior } from "./behaviors.js";
+import { SELECTION, TIME_S } from "../state/performed.js";
+import { toggleLook } from "../timeline/looks.js";
+import { editOfSelected, lockBehavior, madeOf, selectedBehaviors } from "./behaviors.js";
 import { changeEdits, editsOf } from "./change_edits.js";
 import { copyBehaviors, paste } from "./clipboard.js";
 import { editOf, withBehavior } from "./edits.js";
-import { moveBehaviors } from "./moving.js";
+import { moveBehaviors, putMark } from "./moving.js";
 import { moveWord, wordOf } from "./words.js";
 
 /** @import { Behavior } from "understudy-client" */
@@ -23,23 +24,19 @@ const LARGE_STEP_S = 0.1;
 const ACTIONS = Object.freeze({
   Delete: (store, behaviors) => omit(store, behaviors, "deleted"),
   m: (store, behaviors) => omit(store, behaviors, "muted"),
+  r: (store) => toggleLook(store, "ripple"),
   L: (store, [behavior]) => behavior && lockBehavior(store, behavior, !editOfSelected(store)?.lock),
 });
+/** With Alt, where the key is on the keyboard: which mark is put where the playhead is. @type {Readonly<Record<string, string>>} */
+const TRIMMED = Object.freeze({ BracketLeft: "start", BracketRight: "end" });
 /** With Ctrl. @type {typeof ACTIONS} */
 const COPYING = Object.freeze({
   c: (store, behaviors) => copyBehaviors(store, behaviors),
   v: (store) => paste(store),
 });
 
-/**
- * The movements that are selected, the one that the inspector shows first.
- *
- * @param {Store} store
- */
-export function selectedBehaviors(store) {
-  const made = madeOf(store);
-  return [selectedBehavior(store), ...store.get(MARKED).map((id) => behaviorOf(made, id))].filter((each) => each !== null);
-}
+/** Keys that need nothing to be selected. */
+const FREE = new Set(["v", "r"]);
 
 /**
  * @param {HTMLElement} timeline
@@ -47,7 +44,7 @@ export function selectedBehaviors(store) {
  */
 export function followKeys(timeline, store) {
   timeline.addEventListener("keydown", (event) => {
-    if (move(store, laterBy_s(event)) || act(store, event)) {
+    if (move(store, laterBy_s(event)) || trim(store, event) || act(store, event)) {
       event.preventDefault();
       event.stopPropagation();
     }
@@ -71,6 +68,20 @@ function move(store, later_s) {
 }
 
 /**
+ * Has the movement that is selected begin or end at the playhead; whether a key says so.
+ *
+ * @param {Store} store
+ * @param {KeyboardEvent} event
+ */
+function trim(store, { altKey, code }) {
+  const [mark, [behavior]] = [altKey ? TRIMMED[code] : undefined, selectedBehaviors(store)];
+  if (mark && behavior?.kept) {
+    putMark(store, behavior, mark, store.get(TIME_S));
+  }
+  return mark !== undefined;
+}
+
+/**
  * Does what a key says with the movements that are selected; whether it says something.
  *
  * @param {Store} store
@@ -79,7 +90,7 @@ function move(store, later_s) {
 function act(store, event) {
   const behaviors = selectedBehaviors(store);
   const action = actionOf(event);
-  const isMeant = action !== undefined && (behaviors.length > 0 || event.key === "v");
+  const isMeant = action !== undefined && (behaviors.length > 0 || FREE.has(event.key));
   if (isMeant) {
     action(store, behaviors);
   }

@@ -1,7 +1,8 @@
-/** Behaviours at other times: one of their marks, or all of it. */
+/** Behaviours at other times: one of their marks, or all of it, with whatever moves along. */
 
 import { slice } from "../state/slice.js";
-import { madeOf } from "./behaviors.js";
+import { LOOKS } from "../timeline/looks.js";
+import { madeOf, selectedBehaviors } from "./behaviors.js";
 import { changeEdits, editsOf } from "./change_edits.js";
 import { editOf, withBehavior } from "./edits.js";
 import { placeOf } from "./references.js";
@@ -20,6 +21,37 @@ const LEADING = /** @type {const} */ (["stroke", "ready", "start"]);
  * @typedef {Readonly<{ performance: object, edits: object, id: string, later_s: number }>} Moved
  */
 const MOVED = slice(/** @type {Moved | null} */ (null));
+
+/**
+ * What moves with behaviours: everything that is selected, if they are; while the timeline ripples also what begins later in
+ * their rows.
+ *
+ * @param {Store} store
+ * @param {readonly Behavior[]} behaviors
+ */
+export function movedWith(store, behaviors) {
+  const selected = selectedBehaviors(store);
+  const moved = behaviors.some(({ id }) => selected.some((each) => each.id === id)) ? selected : behaviors;
+  if (!store.get(LOOKS).ripple) {
+    return moved;
+  }
+  const all = madeOf(store)?.performance.behaviors.filter(({ kept }) => kept) ?? [];
+  const begins_s = (/** @type {Behavior} */ { sync }) => Math.min(...Object.values(sync));
+  const isLater = (/** @type {Behavior} */ each) => moved.some((one) => one.kind === each.kind && begins_s(one) < begins_s(each));
+  return [...moved, ...all.filter((each) => !moved.some(({ id }) => id === each.id) && isLater(each))];
+}
+
+/**
+ * The edits with behaviours so much later.
+ *
+ * @param {Edits} now
+ * @param {Made} made
+ * @param {readonly Behavior[]} behaviors
+ * @param {number} later_s
+ */
+export function withAllMoved(now, made, behaviors, later_s) {
+  return behaviors.reduce((edits, behavior) => withMoved(edits, made, behavior, null, later_s), now);
+}
 
 /**
  * The edits with a mark of a behaviour at another time; without a mark the whole behaviour so much later.
@@ -67,8 +99,7 @@ export function moveBehaviors(store, behaviors, later_s) {
     const { performance } = made;
     const id = behaviors.map((each) => each.id).join(", ");
     const together_s = later_s + alreadyMoved_s(store, performance, id);
-    const edits = behaviors.reduce((now, behavior) => withMoved(now, made, behavior, null, together_s), editsOf(store));
-    changeEdits(store, `Move all of ${id}`, edits);
+    changeEdits(store, `Move all of ${id}`, withAllMoved(editsOf(store), made, movedWith(store, behaviors), together_s));
     store.set(MOVED, { performance, edits: editsOf(store), id, later_s: together_s });
   }
 }

@@ -4,83 +4,21 @@
  */
 
 import { Quaternion, Vector3 } from "three";
-import { clipFromJson, sampled } from "understudy-client";
+import { sampled } from "understudy-client";
 
 import { el } from "../dom.js";
 
 /** @import { Clip, Pose } from "understudy-client" */
-/** @import { Service } from "../service/service.js" */
+/** @import { GestureClips } from "./gesture_clips.js" */
 
-const SIZE_PX = 96;
-const START_S = 0.2;
+const SIZE_PX = 192;
 const FRAMES_PER_SECOND = 15;
-const CENTRE_M = Object.freeze([0, 1.22]);
-const HEIGHT_M = 1.3;
+const CENTRE_M = Object.freeze([0, 1.3]);
+const HEIGHT_M = 1.12;
+const LINE_PX = 7;
 const HEAD_M = 0.1;
 const LEGS = /leg|foot|toes/i;
-
-/** Clips of gestures by lexeme, each asked for once and one after the other: the line itself is not to wait for them. */
-export class GestureClips {
-  /** @type {Map<string, Promise<Clip>>} */
-  #clips = new Map();
-  /** @type {Promise<unknown>} */
-  #last = Promise.resolve();
-  /** Whether somebody who asked for a gesture still wants it, by lexeme. @type {Map<string, (() => boolean)[]>} */
-  #wanted = new Map();
-  #service;
-
-  /** @param {Service} service */
-  constructor(service) {
-    this.#service = service;
-  }
-
-  /**
-   * Rejects where the service does not play it, or nobody wants it any more when its turn comes.
-   *
-   * @param {string} lexeme
-   * @param {() => boolean} isWanted
-   * @returns {Promise<Clip>}
-   */
-  of(lexeme, isWanted) {
-    const known = this.#clips.get(lexeme);
-    this.#wanted.set(lexeme, [...(this.#wanted.get(lexeme) ?? []), isWanted]);
-    if (known) {
-      return known;
-    }
-    const asked = this.#last.then(() => this.#inTurn(lexeme));
-    this.#clips.set(lexeme, asked);
-    this.#last = asked.catch(() => this.#clips.delete(lexeme));
-    return asked;
-  }
-
-  /** @param {string} lexeme */
-  #inTurn(lexeme) {
-    const isWanted = this.#wanted.get(lexeme)?.some((each) => each());
-    this.#wanted.delete(lexeme);
-    return isWanted ? this.#asked(lexeme) : Promise.reject(new Error("nobody wants it"));
-  }
-
-  /** @param {string} lexeme */
-  async #asked(lexeme) {
-    const form = new FormData();
-    form.append("bml", new Blob([played(lexeme)], { type: "application/xml" }), "gesture.bml");
-    form.append("options", JSON.stringify({ fps: 30, stillness: 0 }));
-    const answer = await this.#service.fetch("realize", { method: "POST", headers: { accept: "application/json" }, body: form });
-    return clipFromJson(await answer.json());
-  }
-}
-
-/** @param {string} lexeme */
-function played(lexeme) {
-  const root = document.implementation.createDocument("http://www.bml-initiative.org/bml/bml-1.0", "bml");
-  const gesture = root.createElementNS(root.documentElement.namespaceURI, "gesture");
-  root.documentElement.setAttribute("id", "shown");
-  for (const [name, value] of Object.entries({ id: "gesture", lexeme, start: String(START_S) })) {
-    gesture.setAttribute(name, value);
-  }
-  root.documentElement.append(gesture);
-  return new XMLSerializer().serializeToString(root);
-}
+const FINGERS = /thumb|index|middle|ring|little|pinky/i;
 
 /**
  * A canvas that plays a gesture again and again while it is on the page and seen.
@@ -101,20 +39,22 @@ export function thumbnail(clips, lexeme) {
   return canvas;
 }
 
-/** Somebody who stands, until the gesture is there: lines on a square of 96 × 96. */
-const STANDING = Object.freeze([[[48, 24], [48, 70]], [[33, 33], [63, 33]], [[33, 33], [30, 52], [34, 70]], [[63, 33], [66, 52], [62, 70]], [[41, 70], [55, 70]]]);
+/** Somebody who stands, until the gesture is there: lines on a square of 192 × 192. */
+const STANDING = Object.freeze([[[96, 62], [96, 160]], [[66, 80], [126, 80]], [[66, 80], [58, 122], [68, 158]], [[126, 80], [134, 122], [124, 158]], [[82, 160], [110, 160]]]);
 
 /** @param {HTMLCanvasElement} canvas */
 function drawStanding(canvas) {
   const pen = canvas.getContext("2d");
   if (pen) {
     pen.strokeStyle = getComputedStyle(canvas).color;
-    pen.globalAlpha = 0.4;
-    pen.lineWidth = 2;
+    pen.globalAlpha = 0.35;
+    pen.lineWidth = LINE_PX;
+    pen.lineCap = pen.lineJoin = "round";
     pen.stroke(new Path2D(STANDING.map((line) => `M${line.map((point) => point.join(" ")).join("L")}`).join("")));
+    pen.fillStyle = pen.strokeStyle;
     pen.beginPath();
-    pen.arc(48, 16, pixels(HEAD_M), 0, 2 * Math.PI);
-    pen.stroke();
+    pen.arc(96, 40, pixels(HEAD_M), 0, 2 * Math.PI);
+    pen.fill();
     pen.globalAlpha = 1;
   }
 }
@@ -152,21 +92,30 @@ function draw(canvas, clip, time_s) {
   const places = placesOf(clip, sampled(clip, time_s));
   pen.clearRect(0, 0, SIZE_PX, SIZE_PX);
   pen.strokeStyle = getComputedStyle(canvas).color;
-  pen.lineWidth = 2;
+  pen.fillStyle = pen.strokeStyle;
+  pen.lineCap = "round";
   for (const { name, parent } of clip.joints) {
     const [from, to] = [places.get(parent ?? ""), places.get(name)];
     if (from && to && !LEGS.test(name)) {
+      pen.lineWidth = FINGERS.test(name) ? LINE_PX / 2 : LINE_PX;
       pen.beginPath();
       pen.moveTo(...from);
       pen.lineTo(...to);
       pen.stroke();
     }
   }
-  const head = places.get("head");
-  if (head) {
+  drawHead(pen, places.get("head"));
+}
+
+/**
+ * @param {CanvasRenderingContext2D} pen
+ * @param {[number, number] | undefined} neck
+ */
+function drawHead(pen, neck) {
+  if (neck) {
     pen.beginPath();
-    pen.arc(head[0], head[1] - pixels(HEAD_M), pixels(HEAD_M), 0, 2 * Math.PI);
-    pen.stroke();
+    pen.arc(neck[0], neck[1] - pixels(HEAD_M), pixels(HEAD_M), 0, 2 * Math.PI);
+    pen.fill();
   }
 }
 

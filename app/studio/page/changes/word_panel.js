@@ -1,6 +1,7 @@
 /** What can be changed in the word that is selected: its mark, its time, and a movement that is added on it. */
 
 import { choice, el, labelled } from "../dom.js";
+import { icon } from "../icons.js";
 import { channelName, movementName } from "../naming/movements.js";
 import { CHANNELS } from "../timeline/tracks.js";
 import { addBehavior } from "./behaviors.js";
@@ -12,7 +13,7 @@ import { markWord, timeWord, wordEditOf } from "./words.js";
 /** @import { Store } from "../state/store.js" */
 /** @import { Lexemes } from "./lexemes.js" */
 
-const MARKS = /** @type {const} */ ([["", "As chosen"], ["important", "Important"], ["still", "Still"]]);
+const MARKS = /** @type {const} */ ([["", "Auto"], ["important", "Important"], ["still", "Still"]]);
 const STEP_S = 0.01;
 
 /**
@@ -34,7 +35,7 @@ export function wordPanel(store, service, lexemes, { performance, index }) {
     ? timeFields(store, index, word.start_s ?? 0, word.end_s ?? 0)
     : [];
   return [
-    el("div", { class: "pair" }, [labelled("The hands here", mark), ...times]),
+    el("div", { class: "rows" }, [labelled("Hands", mark), ...times]),
     adding(store, service, lexemes, index),
   ];
 }
@@ -69,13 +70,13 @@ function adding(store, service, lexemes, index) {
   const gesture = el(
     "button",
     { type: "button", id: "add-gesture", "aria-haspopup": "dialog", click: () => browseGestures(service, lexemes, { now: "", chosen: add("gesture") }) },
-    ["Add a gesture…"],
+    [icon("add"), "Add a gesture…"],
   );
   const others = CHANNELS.filter((channel) => channel !== "gesture").map((channel) => {
     const names = lexemes.of(channel).map((name) => /** @type {const} */ ([name, movementName(channel, name)]));
-    const made = choice([["", `Add: ${channelName(channel)}`], ...names], "", (lexeme) => lexeme && add(channel)(lexeme));
+    const made = choice([["", `${channelName(channel)}…`], ...names], "", (lexeme) => lexeme && add(channel)(lexeme));
     made.setAttribute("aria-label", `Add a movement of the ${channel}`);
     return made;
   });
-  return el("div", { class: "row", role: "group", "aria-label": "Add on this word" }, [gesture, ...others]);
+  return el("div", { class: "adding", role: "group", "aria-label": "Add on this word" }, [gesture, ...others]);
 }

@@ -1,6 +1,7 @@
 /** Undo and redo: buttons that say what, and the usual keys. */
 
 import { el } from "../dom.js";
+import { icon } from "../icons.js";
 import { DOABLE } from "../state/history.js";
 
 /** @import { Store } from "../state/store.js" */
@@ -10,8 +11,8 @@ import { DOABLE } from "../state/history.js";
  * @param {Store} store
  */
 export function mountHistory(element, store) {
-  const undo = el("button", { type: "button", id: "undo", click: () => store.history.undo() }, ["Undo"]);
-  const redo = el("button", { type: "button", id: "redo", click: () => store.history.redo() }, ["Redo"]);
+  const undo = el("button", { type: "button", id: "undo", class: "square", "aria-label": "Undo", click: () => store.history.undo() }, [icon("undo")]);
+  const redo = el("button", { type: "button", id: "redo", class: "square", "aria-label": "Redo", click: () => store.history.redo() }, [icon("redo")]);
   element.append(undo, redo);
   store.watch(DOABLE, (doable) => {
     show(undo, "Undo", doable.undo);

@@ -1,6 +1,7 @@
 /** Light or dark: as the system has it, unless the author says otherwise. */
 
-import { choice, labelled } from "../dom.js";
+import { choice, el } from "../dom.js";
+import { icon } from "../icons.js";
 
 const KEY = "understudy-theme";
 
@@ -11,7 +12,9 @@ export function mountPreferences(element) {
     document.documentElement.dataset["theme"] = theme;
     localStorage.setItem(KEY, theme);
   };
-  const themes = /** @type {const} */ ([["system", "As the system"], ["light", "Light"], ["dark", "Dark"]]);
-  element.append(labelled("Colours", choice(themes, kept, show)));
+  const themes = /** @type {const} */ ([["system", "System"], ["light", "Light"], ["dark", "Dark"]]);
+  const chosen = choice(themes, kept, show);
+  chosen.setAttribute("aria-label", "Theme");
+  element.append(el("span", { class: "with-icon", title: "Theme" }, [icon("theme"), chosen]));
   show(kept);
 }

@@ -6,7 +6,7 @@ import { slice } from "../state/slice.js";
 
 /** @import { Store } from "../state/store.js" */
 
-const TABS = Object.freeze({ inspected: "Selected", taken: "Takes", exports: "Export" });
+const TABS = Object.freeze({ inspected: "Inspector", taken: "Takes", exports: "Export" });
 
 /** The id of the tab that is shown. */
 export const SIDE = slice(/** @type {keyof typeof TABS} */ ("inspected"));

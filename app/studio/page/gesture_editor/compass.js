@@ -56,7 +56,7 @@ function half(store, language, wrist, { key, other, title }) {
   const layers = LAYERS.map(([name, away]) => {
     const cells = cellsOf(language, store.get(ARM) === "leading" ? -1 : 1, away);
     const buttons = cells.map((index) => direction(store, language, { index, key, title }, { isChosen: index === chosen, isPossible: possible.has(index) }));
-    return el("div", { class: "layer", role: "group", "aria-label": name || "level" }, [el("span", {}, [name || "–"]), ...buttons]);
+    return el("div", { class: "layer", role: "group", "aria-label": name || "level" }, [el("span", {}, [name || "Level"]), ...buttons]);
   });
   return el("div", { class: "compass", role: "group", "aria-label": title }, [el("span", {}, [title]), ...layers]);
 }

@@ -1,6 +1,6 @@
 /** The gesture editor (Gesture Engine §4.3): composes a gesture graphically, on the body at once, in the same language. */
 
-import { el, foldable } from "../dom.js";
+import { el } from "../dom.js";
 import { VIEW } from "../frame/views.js";
 import { askLanguage, keepChecked } from "./checking.js";
 import { compass } from "./compass.js";
@@ -18,8 +18,6 @@ import { trackForm } from "./track_form.js";
 
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
-
-const TALL_PX = 720;
 
 /**
  * Nothing is asked of the service, and nothing drawn, before the editor is looked at.
@@ -55,10 +53,8 @@ function mount(element, store, service) {
     poseForm(store, service),
     trackForm(store),
   ]);
-  const whole = foldable("The whole gesture", [headerForm(store)]);
-  // On a low screen the body goes before what is rarely changed.
-  whole.open = innerHeight >= TALL_PX;
-  const left = el("div", { class: "column body" }, [whole, preview(store, service), times]);
+  const whole = headerForm(store);
+  const left = el("div", { class: "column body" }, [preview(store, service), times, whole]);
   const right = el("div", { class: "column language" }, [languageText(store, service)]);
   element.append(tools(store, service), left, frame, right);
   void askLanguage(store, service);

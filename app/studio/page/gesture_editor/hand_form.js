@@ -1,6 +1,7 @@
 /** The hand: one of the twelve forms or the relaxed hand, the thumb that it leaves free, and single fingers' bends. */
 
 import { choice, el, labelled } from "../dom.js";
+import { plain } from "../naming/movements.js";
 import { possibleHand, withArm } from "./frames.js";
 import { ARM, changeGesture, EDITED, FRAME, gestureOf, LANGUAGE } from "./gestures.js";
 import { thumbsOf } from "./possible.js";
@@ -13,7 +14,7 @@ import { redraw } from "../redrawing.js";
 
 const OPEN = "";
 /** @type {Readonly<Record<string, string>>} */
-const THUMBS = Object.freeze({ default: "as the form has it", open: "beside the index finger", out: "away from it", across: "across" });
+const THUMBS = Object.freeze({ default: "Auto", open: "Beside the index finger", out: "Out", across: "Across" });
 
 /** @param {Store} store */
 export function handForm(store) {
@@ -56,7 +57,7 @@ function shape(store, language, { hand }) {
  * @param {GestureArm} arm
  */
 function fingers(store, language, arm) {
-  const bends = /** @type {[string, string][]} */ ([[OPEN, "as the form"], ...language.bends.map((name) => [name, readable(name)])]);
+  const bends = /** @type {[string, string][]} */ ([[OPEN, "Auto"], ...language.bends.map((name) => [name, readable(name)])]);
   const selects = language.fingers.map((finger) => {
     const bend = choice(bends, arm.fingers?.[finger] ?? OPEN, (name) => {
       const kept = Object.entries(arm.fingers ?? {}).filter(([other]) => other !== finger);
@@ -65,7 +66,7 @@ function fingers(store, language, arm) {
       change(store, `Bend of the ${finger}`, { fingers: Object.fromEntries(sorted) });
     });
     bend.dataset["finger"] = finger;
-    return labelled(finger, bend);
+    return labelled(plain(finger), bend);
   });
   return el("div", { class: "row" }, selects);
 }

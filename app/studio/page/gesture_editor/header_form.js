@@ -57,7 +57,7 @@ function texts(store, gesture) {
   const [least, most] = store.get(LANGUAGE)?.ranges["duration_s"] ?? [0.1, 10];
   const lasts = el("input", { type: "number", id: "gesture-duration", min: least, max: most, step: 0.1, value: gesture.duration_s });
   lasts.addEventListener("change", () => put(store, "Duration", { duration_s: Math.min(Math.max(Number(lasts.value), least), most) }));
-  return el("div", { class: "row" }, [name, kind, shows, labelled("Takes, s", lasts)]);
+  return el("div", { class: "row" }, [name, kind, shows, labelled("Duration, s", lasts)]);
 }
 
 /**
@@ -66,7 +66,7 @@ function texts(store, gesture) {
  */
 function arms(store, gesture) {
   const made = choice(
-    [[EITHER, "either hand"], ["left", "left"], ["right", "right"], ["both", "both"]],
+    [[EITHER, "Either"], ["left", "Left"], ["right", "Right"], ["both", "Both"]],
     gesture.arms ?? EITHER,
     (value) => {
       store.set(ARM, "leading");
@@ -76,12 +76,12 @@ function arms(store, gesture) {
   made.id = "gesture-arms";
   const aimed = el("input", { type: "checkbox", checked: gesture.aimed ?? false });
   aimed.addEventListener("change", () => put(store, "Aim", { aimed: aimed.checked }));
-  const shown = choice([["leading", "leading arm (right)"], ["other", "other arm (left)"]], store.get(ARM), (value) =>
+  const shown = choice([["leading", "Right (leading)"], ["other", "Left"]], store.get(ARM), (value) =>
     store.set(ARM, /** @type {"leading" | "other"} */ (value)),
   );
   shown.id = "gesture-arm";
   shown.disabled = gesture.arms !== "both";
-  return el("div", { class: "row" }, [labelled("Arms", made), labelled("Compose", shown), labelled("aimed at a target", aimed)]);
+  return el("div", { class: "row" }, [labelled("Arms", made), labelled("Shown arm", shown), labelled("Points at a target", aimed)]);
 }
 
 /**

@@ -29,7 +29,7 @@ export function trackForm(store) {
 function parts(store, language) {
   const click = () => changeGesture(store, "Add an offset track", withTrackAdded);
   return [
-    el("legend", {}, ["Offset tracks, of the whole gesture"]),
+    el("legend", {}, ["Offset tracks (whole gesture)"]),
     ...tracksOf(gestureOf(store.get(EDITED))).map((track, index) => trackRow(store, language, track, index)),
     el("button", { type: "button", id: "track-add", click }, ["Add a track"]),
   ];

@@ -5,7 +5,7 @@ import { openedProject } from "../exports/project_file.js";
 import { problemOf } from "../service/service.js";
 import { ChangeProject } from "../state/change_project.js";
 import { AVATAR, PROBLEM } from "../state/performed.js";
-import { PROJECT } from "../state/project.js";
+import { isRecorded, PROJECT } from "../state/project.js";
 import { kindOf, refusalOf } from "./kinds.js";
 import { open } from "./opening.js";
 
@@ -42,15 +42,18 @@ export async function takeFiles(store, files) {
 }
 
 /**
+ * Opens a recording as a line of its own; that of a line which was only written keeps what was changed in it.
+ *
  * @param {Store} store
  * @param {File | undefined} audio
  * @param {string | undefined} words
  */
 function takeLine(store, audio, words) {
   if (audio) {
-    const { text: typed, options } = store.get(PROJECT);
-    const isFirst = store.get(PROJECT).audio === null;
-    open(store, { audio, options, text: words ?? (isFirst ? typed : "") });
+    const known = store.get(PROJECT);
+    const isWritten = known.audio !== null && !isRecorded(known.audio);
+    const kept = isWritten ? known : { options: known.options, text: known.audio ? "" : known.text };
+    open(store, { ...kept, audio, text: words ?? kept.text });
   } else if (words !== undefined) {
     store.history.execute(new ChangeProject(store, "Words", { text: words }));
   }

@@ -1,6 +1,7 @@
 /** Records a line from the microphone: a button that starts and stops, and a WAV file of what was said. */
 
 import { el } from "../dom.js";
+import { icon } from "../icons.js";
 import { wavOf } from "./wav.js";
 
 const RATE_HZ = 48_000;
@@ -12,11 +13,12 @@ const RATE_HZ = 48_000;
 export function microphone(recorded, failed) {
   /** @type {MediaRecorder | null} */
   let recorder = null;
-  const button = el("button", { type: "button", id: "record" }, ["Record…"]);
+  const button = el("button", { type: "button", id: "record" });
   const show = () => {
-    button.replaceChildren(recorder ? "■ Stop and use it" : "Record…");
+    button.replaceChildren(icon("microphone"), recorder ? "Stop and use it" : "Record");
     button.classList.toggle("wrong", recorder !== null);
   };
+  show();
   const begin = async () => {
     recorder = await recording((spoken) => void fileOf(spoken).then(recorded, failed));
     show();

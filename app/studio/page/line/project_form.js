@@ -5,7 +5,7 @@ import { plain } from "../naming/movements.js";
 import { problemOf } from "../service/service.js";
 import { ChangeProject } from "../state/change_project.js";
 import { AVATAR, BUSY, PERFORMED, PROBLEM } from "../state/performed.js";
-import { PROJECT } from "../state/project.js";
+import { isRecorded, PROJECT } from "../state/project.js";
 import { CHARACTERS } from "../stage/viewing.js";
 import { STARTING } from "./starting.js";
 
@@ -17,7 +17,7 @@ import { STARTING } from "./starting.js";
 const EXAMPLE_PROFILES = ["sparing", "sweeping"];
 const LEVELS = /** @type {const} */ ([["", "As heard"], ["low", "Low"], ["medium", "Medium"], ["high", "High"]]);
 const TONES = /** @type {const} */ (["neutral", "happy", "sad", "angry", "afraid", "disgusted", "surprised"]);
-const CHOICES = /** @type {const} */ ([["", "As usual"], ["terms", "By everything"], ["priority", "By priority"]]);
+const CHOICES = /** @type {const} */ ([["", "Default"], ["terms", "All evidence"], ["priority", "Priority only"]]);
 const MODES = /** @type {const} */ ([["semantic", "Meaning"], ["prosody", "Stress"], ["random", "Chance"]]);
 
 /**
@@ -34,7 +34,7 @@ function title(store) {
   const name = el("h2", {}, []);
   store.watch(PROJECT, ({ audio }) => ([name.textContent, name.title] = [audio?.name ?? "", audio?.name ?? ""]));
   const other = el("button", { type: "button", id: "open-another", click: () => store.set(STARTING, true) }, ["Open…"]);
-  const ours = el("button", { type: "button", click: () => store.set(AVATAR, null) }, ["Our body again"]);
+  const ours = el("button", { type: "button", click: () => store.set(AVATAR, null) }, ["Use the default body"]);
   store.watch(AVATAR, (avatar) => (ours.hidden = avatar === null));
   return el("div", {}, [el("div", { class: "title" }, [name, other]), ours]);
 }
@@ -49,7 +49,7 @@ function words(store) {
       typed.value = text;
     }
   });
-  return labelled("Words that are spoken", typed);
+  return labelled("Words", typed);
 }
 
 /**
@@ -71,11 +71,11 @@ function options(store, service) {
       control.value = shownValue(now[/** @type {keyof PerformOptions} */ (name)] ?? USUAL[name]);
     }
   });
-  const first = { Character: character, Agitation: chosen.agitation, Feeling: chosen.affect, Seed: seed, Stillness: stillness };
-  const rare = { "Movements chosen": chosen.choice, "Gestures from": chosen.mode, "Gesture profile": profile };
-  const pair = (/** @type {Record<string, HTMLElement>} */ named) =>
-    el("div", { class: "pair" }, Object.entries(named).map(([name, control]) => labelled(name, control)));
-  return el("div", { class: "settings" }, [pair(first), foldable("More", [pair(rare), examples])]);
+  const first = { Feeling: chosen.affect, Agitation: chosen.agitation, Stillness: stillness, Character: character };
+  const rare = { Seed: seed, Choice: chosen.choice, "Gestures from": chosen.mode, Profile: profile };
+  const rows = (/** @type {Record<string, HTMLElement>} */ named) =>
+    el("div", { class: "rows" }, Object.entries(named).map(([name, control]) => labelled(name, control)));
+  return el("div", { class: "settings" }, [el("h3", {}, ["Delivery"]), rows(first), foldable("Advanced", [rows(rare), examples])]);
 }
 
 /** What fields show of options that were not set. @type {Readonly<Record<string, string>>} */
@@ -104,7 +104,7 @@ function chosenOptions(store) {
  */
 function profileField(store) {
   const names = el("datalist", { id: "profiles" }, EXAMPLE_PROFILES.map((name) => el("option", { value: name })));
-  const typed = el("input", { type: "text", id: "profile", placeholder: "nobody's", spellcheck: false });
+  const typed = el("input", { type: "text", id: "profile", placeholder: "None", spellcheck: false });
   typed.setAttribute("list", names.id);
   typed.addEventListener("change", () => setOption(store, "profile", typed.value.trim() || undefined));
   return [typed, names];
@@ -149,7 +149,10 @@ function lacking({ audio, text }) {
   if (!audio) {
     return "Drop a recording on the page and type its words.";
   }
-  return text.trim() ? null : `Type the words that are spoken in ${audio.name}.`;
+  if (text.trim()) {
+    return null;
+  }
+  return isRecorded(audio) ? `Type the words that are spoken in ${audio.name}.` : "Type the words of the line.";
 }
 
 /**
@@ -159,7 +162,7 @@ function lacking({ audio, text }) {
  */
 function summary({ audio, agitation, behaviors, warnings }) {
   const kept = behaviors.filter((each) => each.kept).length;
-  const done = `${audio.duration_s.toFixed(2)} s, ${agitation} agitation, ${String(kept)} movements`;
+  const done = `${audio.duration_s.toFixed(2)} s · ${agitation} agitation · ${String(kept)} movements`;
   return [done, ...warnings.map(({ message }) => message)].join(" — ");
 }
 

@@ -21,7 +21,7 @@ export const GESTURES = Object.freeze({
   MIME_PULL: "Pull", MIME_PUSH: "Push", MIME_READ: "Read", MIME_SALUTE: "Salute", MIME_SHOOT: "Shoot",
   MIME_SLEEP: "Sleep", MIME_SMELL: "Smell", MIME_SWORD: "Sword", MIME_TALK: "Talk", MIME_THROAT: "Throat",
   MIME_THROW: "Throw", MIME_THUMB_UP: "Thumb up", MIME_TOAST: "Toast", MIME_TURN_KEY: "Turn a key", MIME_TYPE: "Type",
-  MIME_WALK: "Walk", MIME_WATCH: "Look at the watch", MIME_WRITE: "Write", NARROW: "Narrow", NEAR: "Near",
+  MIME_WALK: "Walk", MIME_WATCH: "Look at the watch", MIME_WIPE: "Wipe", MIME_WRITE: "Write", NARROW: "Narrow", NEAR: "Near",
   NEGATION: "No", NOW: "Now", OBLIGATION: "It has to be", OFFER: "Offer", OPEN_HAND: "Open hand",
   OPEN_PALMS: "Open palms", OPEN_UP: "Open up", OVER_SHOULDER: "Over the shoulder", PALMS_OUT: "Palms out",
   PALMS_TOGETHER: "Palms together", PALM_BEAT: "Palm beat", PALM_LEFT: "Palm to the left",

@@ -46,7 +46,7 @@ const HANDS = Object.freeze({ left: "left hand", right: "right hand", both: "bot
  * @param {string} lexeme
  */
 export function movementName(kind, lexeme) {
-  return NAMES[kind]?.[lexeme] ?? plain(lexeme);
+  return NAMES[kind]?.[lexeme] ?? plain(lexeme.replace(/^MIME_/, ""));
 }
 
 /** @param {string} channel */

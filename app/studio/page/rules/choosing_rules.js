@@ -32,7 +32,8 @@ export function groupsOf(items) {
   /** @type {Map<string, Item[]>} */
   const groups = new Map();
   for (const item of items) {
-    const name = item.class && !item.class.includes("$") ? functionName({ class: item.class }) : fileName(item.file);
+    const found = item.class && !item.class.includes("$") ? functionName({ class: item.class }) : fileName(item.file);
+    const name = found.replace(/^(an?|the) /, "");
     groups.set(name, [...(groups.get(name) ?? []), item]);
   }
   return [...groups].map(([name, found]) => ({ name, items: found })).sort((one, other) => one.name.localeCompare(other.name));
@@ -40,7 +41,8 @@ export function groupsOf(items) {
 
 /** @param {string} file */
 function fileName(file) {
-  return (file.split("/").at(-1) ?? file).replace(/\.\w+$/, "").replaceAll("_", " ");
+  const own = (file.split("/").at(-1) ?? file).replace(/\.\w+$/, "").replaceAll("_", " ");
+  return own === "behaviors" ? "movements" : own;
 }
 
 /** @param {Item} item */

@@ -12,7 +12,7 @@ const MOST_NAMED = 30;
 
 /** @param {Store} store */
 export function ruleDetails(store) {
-  const explained = el("div", { id: "rule-explained" }, [el("p", { class: "quiet" }, ["Here stands what a rule rests on and leads to, and what your changes do to the examples."])]);
+  const explained = el("div", { id: "rule-explained" }, [el("p", { class: "quiet" }, ["What a rule comes from, what it leads to, and what your changes do to other lines is shown here."])]);
   const compared = el("div", { id: "rules-compared", role: "status" });
   store.watch(EXPLAINED, (found) => found && explained.replaceChildren(...explanations(store, found)));
   store.watch(COMPARED, (found) => compared.replaceChildren(...(found ? comparison(found) : [])));

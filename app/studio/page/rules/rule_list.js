@@ -24,7 +24,7 @@ export function ruleList(store) {
   const show = () => {
     const { text, kind: of } = store.get(FILTER);
     const found = matching(store.get(ITEMS), text, of);
-    count.replaceChildren(text && found.length > MOST_SHOWN ? `${String(found.length)} found, ${String(MOST_SHOWN)} shown` : `${String(found.length)} found`);
+    count.replaceChildren(text && found.length > MOST_SHOWN ? `${String(MOST_SHOWN)} of ${String(found.length)} shown` : `${String(found.length)} ${text || of ? "found" : "rules and words"}`);
     list.replaceChildren(...(text ? found.slice(0, MOST_SHOWN).map((item) => entry(store, item)) : groupsOf(found).map((each) => group(store, each))));
   };
   for (const of of [FILTER, ITEMS]) {

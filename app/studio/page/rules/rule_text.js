@@ -1,12 +1,14 @@
 /** The file of a rule or word, to be edited: checked while it is written, with every mistake at its line and column. */
 
 import { el, readOut } from "../dom.js";
+import { plain } from "../naming/movements.js";
 import { latest } from "../service/latest.js";
+import { PERFORMED } from "../state/performed.js";
 import { goTo } from "../text_place.js";
-import { CHOSEN, DRAFTS, FILES, IN_USE, loadText, MISTAKES, posted, told } from "./rule_book.js";
+import { CHOSEN, DRAFTS, FILES, IN_USE, ITEMS, loadText, MISTAKES, posted, told } from "./rule_book.js";
 import { actions } from "./trying.js";
 
-/** @import { PlacedMistake, RuleMistakes } from "understudy-client" */
+/** @import { Performance, PlacedMistake, RuleMistakes } from "understudy-client" */
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
 
@@ -17,7 +19,7 @@ const QUIET_MS = 400;
  * @param {Service} service
  */
 export function ruleText(store, service) {
-  const title = el("h2", { id: "rule-file" }, ["Choose a rule or a word: its file is shown here, to be read and edited."]);
+  const title = el("h2", { id: "rule-file" }, ["No rule chosen"]);
   const typed = el("textarea", { id: "rule-text", spellcheck: false, wrap: "off", "aria-labelledby": "rule-file", disabled: true });
   const mistakes = el("ul", { id: "rule-mistakes", class: "mistakes" });
   store.watch(CHOSEN, (item) => {
@@ -34,7 +36,37 @@ export function ruleText(store, service) {
     }
   });
   keepChecked(store, service, typed);
-  return el("section", { class: "rule-text", "aria-label": "File" }, [title, typed, readOut(mistakes), actions(store, service)]);
+  const begin = beginnings(store);
+  store.watch(CHOSEN, (item) => (begin.hidden = item !== null));
+  return el("section", { class: "rule-text", "aria-label": "File" }, [title, begin, typed, readOut(mistakes), actions(store, service)]);
+}
+
+/**
+ * Where to begin before a rule is chosen: the rules by which the open line is performed.
+ *
+ * @param {Store} store
+ */
+function beginnings(store) {
+  const list = el("ul", { class: "beginnings" });
+  const hint = el("p", { class: "quiet" });
+  const show = () => {
+    const used = rulesOf(store.get(PERFORMED)?.performance);
+    const found = used.flatMap((name) => store.get(ITEMS).find((item) => item.name === name) ?? []);
+    hint.textContent = found.length > 0 ? "Choose from the list on the left, or a rule that this line uses:" : "Choose from the list on the left, or search for a word, a meaning or a movement.";
+    list.replaceChildren(...found.map((item) => el("li", {}, [el("button", { type: "button", title: item.name, click: () => store.set(CHOSEN, item) }, [plain(item.name)])])));
+  };
+  store.watch(ITEMS, show);
+  store.watch(PERFORMED, show);
+  return el("div", { class: "none" }, [hint, list]);
+}
+
+/**
+ * The rules that found what a line means, in the order of its words.
+ *
+ * @param {Performance | undefined} performance
+ */
+export function rulesOf(performance) {
+  return [...new Set(performance?.functions.filter(({ kept }) => kept).map(({ rule }) => rule))];
 }
 
 /**

@@ -10,6 +10,13 @@ import { CHOSEN, COMPARED, DRAFTS, FILES, MISTAKES, posted, told } from "./rule_
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
 
+const HINTS = Object.freeze({
+  "rules-run": "Performs the line that is open by these rules",
+  "rules-compare": "What your changes do to an example of every group of words, and to this line",
+  "rules-back": "Discards your changes to this file",
+  "rules-save": "Saves the file into the author's folder",
+});
+
 /** The line that is open, among the lines that are compared. */
 export const THIS_LINE = "this line";
 
@@ -18,11 +25,11 @@ export const THIS_LINE = "this line";
  * @param {Service} service
  */
 export function actions(store, service) {
-  const button = (/** @type {string} */ id, /** @type {string} */ text, /** @type {() => void} */ click) =>
-    el("button", { type: "button", id, class: id === "rules-run" ? "primary" : "", click }, [text]);
-  const run = button("rules-run", "Run the line by these rules", () => perform(store));
-  const compare = button("rules-compare", "What else changes?", () => void compareAll(store, service));
-  const back = button("rules-back", "Take back", () => takeBack(store));
+  const button = (/** @type {keyof typeof HINTS} */ id, /** @type {string} */ text, /** @type {() => void} */ click) =>
+    el("button", { type: "button", id, class: id === "rules-run" ? "primary" : "", title: HINTS[id], click }, [text]);
+  const run = button("rules-run", "Perform the line", () => perform(store));
+  const compare = button("rules-compare", "Compare examples", () => void compareAll(store, service));
+  const back = button("rules-back", "Discard changes", () => takeBack(store));
   const save = button("rules-save", "Save", () => void saveFile(store, service));
   const show = () => {
     const drafts = store.get(DRAFTS);

@@ -1,6 +1,7 @@
 /** Says whether the line is kept, and opens the list of its versions, each of which can be restored (and that undone). */
 
 import { el } from "../dom.js";
+import { icon } from "../icons.js";
 import { problemOf } from "../service/service.js";
 import { ChangeProject } from "../state/change_project.js";
 import { PROBLEM } from "../state/performed.js";
@@ -39,7 +40,8 @@ export function mountSaving(element, store) {
   store.watch(SAVING, (saving) => {
     button.dataset["saving"] = saving;
     button.classList.toggle("wrong", saving === "failed");
-    [button.textContent, button.title] = [WORDS[saving], TITLES[saving]];
+    button.replaceChildren(icon("history"), WORDS[saving]);
+    button.title = TITLES[saving];
   });
 }
 

@@ -6,7 +6,7 @@
 import { clipFromJson } from "understudy-client";
 
 import { BUSY, PERFORMED, PROBLEM } from "../state/performed.js";
-import { PROJECT } from "../state/project.js";
+import { isRecorded, PROJECT } from "../state/project.js";
 import { slice } from "../state/slice.js";
 import { latest } from "./latest.js";
 import { inRecording, performForm, realizeForm } from "./requests.js";
@@ -143,7 +143,7 @@ export function heardWords(store) {
 function keepHeard(store, line, found) {
   const edits = /** @type {Edits | null} */ (line.edits);
   const isCorrected = edits?.words?.some(({ start_s }) => typeof start_s === "number") ?? false;
-  if (!isCorrected) {
+  if (!isCorrected && isRecorded(line.audio)) {
     store.set(HEARD, { audio: line.audio, text: line.text, line: found });
   }
 }

@@ -1,5 +1,7 @@
 /** The forms of requests for a performance and its motion. */
 
+import { isRecorded } from "../state/project.js";
+
 /** @import { Performance, RealizeOptions } from "understudy-client" */
 /** @import { PerformedLine } from "../state/performed.js" */
 /** @import { Project } from "../state/project.js" */
@@ -16,9 +18,9 @@
  */
 export function performForm(project, heard) {
   const form = new FormData();
-  form.append("audio", project.audio, project.audio.name);
+  appendRecording(form, project.audio);
   form.append("text", project.text);
-  form.append("options", JSON.stringify(heard ? project.options : { ...project.options, contours: true }));
+  form.append("options", JSON.stringify(heard || !isRecorded(project.audio) ? project.options : { ...project.options, contours: true }));
   const known = heard && isCertain(heard.performance) ? inRecording(heard.performance) : null;
   appendFile(form, "words", project.words ? { words: project.words } : known);
   appendFile(form, "direction", project.direction);
@@ -37,7 +39,7 @@ export function performForm(project, heard) {
 export function realizeForm(bml, audio, options = {}) {
   const form = new FormData();
   form.append("bml", new Blob([bml], { type: "application/xml" }), "line.bml");
-  form.append("audio", audio, audio.name);
+  appendRecording(form, audio);
   form.append("options", JSON.stringify(options));
   return form;
 }
@@ -65,6 +67,18 @@ export function inRecording({ words, fillers, lead_in_s }) {
  */
 function isCertain({ words, warnings }) {
   return warnings.every(({ code }) => /^(edit|direction)_/.test(code)) && words.every(({ spread }) => !spread);
+}
+
+/**
+ * Without a recording the service performs the words alone.
+ *
+ * @param {FormData} form
+ * @param {File} audio
+ */
+function appendRecording(form, audio) {
+  if (isRecorded(audio)) {
+    form.append("audio", audio, audio.name);
+  }
 }
 
 /**

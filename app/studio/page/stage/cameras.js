@@ -10,10 +10,10 @@ import { framed } from "./framing.js";
 
 /** Shots with the names that people read. @type {readonly (readonly [Shot, string])[]} */
 export const SHOTS = Object.freeze([
-  ["wide", "Wide"],
-  ["medium", "Medium"],
-  ["close", "Close"],
-  ["two_shot", "Both"],
+  ["wide", "Wide shot"],
+  ["medium", "Medium shot"],
+  ["close", "Close-up"],
+  ["two_shot", "Two-shot"],
   ["over_shoulder", "Over the shoulder"],
 ]);
 

@@ -1,7 +1,7 @@
 /**
  * Tells where the performance is while it is played. The recording leads: what is shown is the pose of the time that the
- * audio has reached, whatever the frame rate is. Before the recording begins (a lead-in), and backwards, the time runs by
- * itself.
+ * audio has reached, whatever the frame rate is. Before the recording begins (a lead-in), backwards, and where there is no
+ * recording, the time runs by itself.
  */
 
 import { PERFORMED, PLAYBACK, TIME_S } from "../state/performed.js";
@@ -94,6 +94,9 @@ export class Clock {
     if (audio.ended) {
       return this.end_s;
     }
+    if (this.#isSilent) {
+      return this.#told_s + passed_s;
+    }
     if (this.#told_s < this.#lead_in_s) {
       const time_s = Math.min(this.#told_s + passed_s, this.#lead_in_s);
       if (time_s === this.#lead_in_s) {
@@ -126,7 +129,15 @@ export class Clock {
     }
   }
 
+  /** Whether there is nothing to hear. */
+  get #isSilent() {
+    return !this.#audio.hasAttribute("src");
+  }
+
   #sound() {
+    if (this.#isSilent) {
+      return;
+    }
     this.#audio.play().catch(() => this.#store.patch(PLAYBACK, { playing: false }));
   }
 

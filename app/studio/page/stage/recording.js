@@ -2,7 +2,7 @@
 
 import { el } from "../dom.js";
 import { TIME_S } from "../state/performed.js";
-import { PROJECT } from "../state/project.js";
+import { isRecorded, PROJECT } from "../state/project.js";
 
 /** @import { Store } from "../state/store.js" */
 
@@ -20,7 +20,11 @@ export function recordingOf(store) {
     if (project.audio !== file) {
       URL.revokeObjectURL(audio.src);
       file = project.audio;
-      audio.src = file ? URL.createObjectURL(file) : "";
+      if (file && isRecorded(file)) {
+        audio.src = URL.createObjectURL(file);
+      } else {
+        audio.removeAttribute("src");
+      }
       store.set(TIME_S, 0);
     }
   });

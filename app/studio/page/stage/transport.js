@@ -1,6 +1,7 @@
 /** The controls of the stage: play, step, speed, loop, shot, listener, trail; their keys are in playing_keys.js. */
 
 import { choice, el, labelled } from "../dom.js";
+import { icon } from "../icons.js";
 import { ChangeProject } from "../state/change_project.js";
 import { PERFORMED, PLAYBACK, TIME_S } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
@@ -27,7 +28,7 @@ export function mountTransport(element, store) {
 /** @param {Store} store */
 function playButton(store) {
   const button = el("button", { type: "button", id: "play", class: "primary", title: "Play or pause (Space)", click: () => togglePlaying(store) });
-  store.watch(PLAYBACK, ({ playing }) => button.replaceChildren(playing ? "Pause" : "Play"));
+  store.watch(PLAYBACK, ({ playing }) => button.replaceChildren(icon(playing ? "pause" : "play"), playing ? "Pause" : "Play"));
   store.watch(PERFORMED, (line) => (button.disabled = line === null));
   return button;
 }
@@ -36,8 +37,8 @@ function playButton(store) {
 function stepButtons(store) {
   const step = (/** @type {number} */ frames) => () => stepBy(store, frames * FRAME_S);
   return [
-    el("button", { type: "button", "aria-label": "One frame back", click: step(-1) }, ["◂"]),
-    el("button", { type: "button", "aria-label": "One frame on", click: step(1) }, ["▸"]),
+    el("button", { type: "button", class: "square", "aria-label": "One frame back", title: "One frame back (←)", click: step(-1) }, [icon("step_back")]),
+    el("button", { type: "button", class: "square", "aria-label": "One frame on", title: "One frame on (→)", click: step(1) }, [icon("step_on")]),
   ];
 }
 
@@ -50,7 +51,7 @@ function clockFace(store) {
 
 /** @param {Store} store */
 function loopButton(store) {
-  const button = el("button", { type: "button", id: "loop", title: "Drag over the words to choose what is repeated, or press [ and ] where it begins and ends" }, ["Loop"]);
+  const button = el("button", { type: "button", id: "loop", class: "square", "aria-label": "Loop", title: "Loop: drag over the words to choose what is repeated, or press I and O where it begins and ends" }, [icon("loop")]);
   button.addEventListener("click", () => store.patch(PLAYBACK, { loop: store.get(PLAYBACK).loop ? null : wholeLine(store) }));
   store.watch(PLAYBACK, ({ loop }) => button.setAttribute("aria-pressed", String(loop !== null)));
   return button;
@@ -61,23 +62,31 @@ function choices(store) {
   const speed = choice(SPEEDS.map((each) => [each, `× ${each}`]), "1", (value) => store.patch(PLAYBACK, { speed: Number(value) }));
   const shot = choice(SHOTS, store.get(VIEWING).shot, (value) => store.patch(VIEWING, { shot: /** @type {Shot} */ (value) }));
   const listening = choice(
-    [["none", "Nobody"], ["beside", "Opposite"], ["instead", "Alone"]],
+    [["none", "No listener"], ["beside", "Opposite"], ["instead", "Listener only"]],
     store.get(VIEWING).listening,
     (value) => showListener(store, /** @type {Listening} */ (value)),
   );
-  const trail = el("input", { type: "checkbox", checked: store.get(VIEWING).trail });
-  trail.addEventListener("change", () => store.patch(VIEWING, { trail: trail.checked }));
-  const safe = el("input", { type: "checkbox", id: "safe" });
-  safe.addEventListener("change", () => store.patch(VIEWING, { safe: safe.checked }));
-  store.watch(VIEWING, (viewing) => {
-    [shot.value, listening.value, trail.checked, safe.checked] = [viewing.shot, viewing.listening, viewing.trail, viewing.safe];
-  });
+  store.watch(VIEWING, (viewing) => ([shot.value, listening.value] = [viewing.shot, viewing.listening]));
   store.watch(PLAYBACK, (playback) => (speed.value = String(Math.abs(playback.speed))));
-  [speed.id, shot.id, listening.id, trail.id] = ["speed", "shot", "listening", "trail"];
-  const drawn = [labelled("Wrist path", trail), labelled("Safe frame", safe), labelled("Speed", speed)];
+  [speed.id, shot.id, listening.id] = ["speed", "shot", "listening"];
+  const drawn = [drawing(store, "trail", "Wrist paths"), drawing(store, "onion", "Onion skin"), drawing(store, "safe", "Safe frame"), labelled("Speed", speed)];
   const menu = el("details", { class: "menu" }, [el("summary", {}, ["View"]), el("div", { class: "floating" }, drawn)]);
   document.addEventListener("pointerdown", ({ target }) => target instanceof Node && !menu.contains(target) && (menu.open = false));
   return [labelled("Camera", shot), labelled("Listener", listening), menu];
+}
+
+/**
+ * Whether something is drawn on the stage beside who stands there.
+ *
+ * @param {Store} store
+ * @param {"trail" | "onion" | "safe"} id
+ * @param {string} name
+ */
+function drawing(store, id, name) {
+  const box = el("input", { type: "checkbox", id });
+  box.addEventListener("change", () => store.patch(VIEWING, { [id]: box.checked }));
+  store.watch(VIEWING, (viewing) => (box.checked = viewing[id]));
+  return labelled(name, box);
 }
 
 /**

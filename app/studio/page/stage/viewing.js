@@ -11,9 +11,14 @@ import { OPPOSITE_M } from "./cameras.js";
 
 /** Where a listener is seen: not at all, opposite the speaker, or alone. @typedef {"none" | "beside" | "instead"} Listening */
 
-/** `safe` shows how much of the picture every screen shows. @typedef {Readonly<{ shot: Shot, listening: Listening, trail: boolean, safe: boolean }>} Viewing */
+/**
+ * `trail` shows the path of the wrists, `onion` the body at the strokes around the playhead, `safe` how much of the picture
+ * every screen shows.
+ *
+ * @typedef {Readonly<{ shot: Shot, listening: Listening, trail: boolean, onion: boolean, safe: boolean }>} Viewing
+ */
 
-export const VIEWING = slice(/** @type {Viewing} */ ({ shot: "medium", listening: "none", trail: false, safe: false }));
+export const VIEWING = slice(/** @type {Viewing} */ ({ shot: "medium", listening: "none", trail: false, onion: false, safe: false }));
 
 /**
  * Others on the stage beside the line's own, as a second version to compare: whoever compares sets this.

@@ -14,7 +14,7 @@ import { slice } from "./slice.js";
  * rules and words by their names; null where there are none.
  *
  * @typedef {object} Project
- * @property {File | null} audio
+ * @property {File | null} audio null before a line is open; an empty file where it is not recorded yet
  * @property {string} text
  * @property {PerformOptions} options
  * @property {Direction | null} direction
@@ -35,6 +35,20 @@ export const EMPTY = Object.freeze({
 });
 
 export const PROJECT = slice(EMPTY);
+
+/**
+ * What stands for the recording of a line that is only written: an empty file of that name.
+ *
+ * @param {string} text
+ */
+export function unrecorded(text) {
+  return new File([], text.trim().split(/\s+/).slice(0, 4).join(" ") || "Unrecorded line");
+}
+
+/** @param {File} audio */
+export function isRecorded(audio) {
+  return audio.size > 0;
+}
 
 /** What of a project changes while it is worked on. @typedef {Omit<Project, "audio">} Draft */
 

@@ -22,10 +22,10 @@ import { viewOf } from "./shots.js";
 /** @type {readonly (readonly [Camera, string])[]} */
 export const CAMERAS = Object.freeze([
   ["automatic", "Automatic cuts"],
-  ["wide", "Wide"],
+  ["wide", "Wide shot"],
   ["medium", "Whoever speaks"],
   ["close", "Whoever speaks, close"],
-  ["two_shot", "Both"],
+  ["two_shot", "Two-shot"],
   ["over_shoulder", "Over the listener's shoulder"],
   ["free", "Free"],
 ]);

@@ -6,26 +6,35 @@ import { slice } from "../state/slice.js";
 
 /**
  * `heights` are shares of a row's usual height, by its name; `alternatives` are what gave way to something else; `list` is
- * the list beside the rows.
+ * the list beside the rows; `ripple` has what comes later in a row move along.
  *
  * @typedef {object} Looks
  * @property {Readonly<Record<string, boolean>>} folded
  * @property {Readonly<Record<string, number>>} heights
  * @property {boolean} alternatives
  * @property {boolean} list
+ * @property {boolean} ripple
  */
 
 const KEY = "understudy-timeline";
 const [LOWEST, HIGHEST] = [0.7, 3];
 const WIDE_PX = 1200;
 
-export const LOOKS = slice(/** @type {Readonly<Looks>} */ ({ folded: { visemes: true }, heights: {}, alternatives: false, list: true }));
+export const LOOKS = slice(/** @type {Readonly<Looks>} */ ({ folded: { phones: true, visemes: true }, heights: {}, alternatives: false, list: true, ripple: false }));
 
 /** @param {Store} store */
 export function keepLooks(store) {
   const kept = JSON.parse(localStorage.getItem(KEY) ?? "null");
   store.patch(LOOKS, kept ?? { list: innerWidth >= WIDE_PX });
   store.watch(LOOKS, (looks) => localStorage.setItem(KEY, JSON.stringify(looks)));
+}
+
+/**
+ * @param {Store} store
+ * @param {"alternatives" | "list" | "ripple"} look
+ */
+export function toggleLook(store, look) {
+  store.patch(LOOKS, { [look]: !store.get(LOOKS)[look] });
 }
 
 /**

@@ -21,6 +21,12 @@ import { snapped, targetsOf } from "./snapping.js";
  * @typedef {Readonly<{ id: string, mark: string | null, from_s: number, to_s: number, ended: boolean }>} Drag
  */
 
+/**
+ * What is pressed, from where, whether it was moved `far`, and whether what was selected stays so (`isMore`).
+ *
+ * @typedef {{ hit: Hit, x: number, from_s: number, far: boolean, isMore: boolean }} Held
+ */
+
 export const DRAG = slice(/** @type {Drag | null} */ (null));
 
 /** What is selected beside SELECTION, by ids. */
@@ -42,13 +48,14 @@ const LEAST_PX = 3;
  * @param {{ axis: () => Axis | null, hit: (x: number, y: number) => Hit }} drawn
  */
 export function followPointer(canvas, store, { axis, hit }) {
-  /** @type {{ hit: Hit, x: number, from_s: number, far: boolean } | null} */
+  /** @type {Held | null} */
   let held = null;
   const time_s = (/** @type {PointerEvent} */ event) => axis()?.time_s(event.offsetX) ?? 0;
   canvas.addEventListener("pointerdown", (event) => {
     canvas.setPointerCapture(event.pointerId);
-    held = { hit: hit(event.offsetX, event.offsetY), x: event.offsetX, from_s: time_s(event), far: false };
-    press(store, held.hit, held.from_s, event.shiftKey || event.ctrlKey || event.metaKey);
+    const isMore = event.shiftKey || event.ctrlKey || event.metaKey;
+    held = { hit: hit(event.offsetX, event.offsetY), x: event.offsetX, from_s: time_s(event), far: false, isMore };
+    press(store, held);
   });
   canvas.addEventListener("pointermove", (event) => {
     if (held) {
@@ -61,26 +68,59 @@ export function followPointer(canvas, store, { axis, hit }) {
   });
   canvas.addEventListener("pointerup", (event) => {
     if (held) {
-      drag(store, held, snappedTime_s(store, held, time_s(event), event.altKey ? null : axis()), true);
-      store.set(SNAP_S, null);
+      const to_s = snappedTime_s(store, held, time_s(event), event.altKey ? null : axis());
+      drag(store, held, to_s, true);
+      release(store, held, to_s);
       held = null;
     }
+  });
+  canvas.addEventListener("pointercancel", () => {
+    held = null;
+    store.set(DRAG, null);
+    store.set(SNAP_S, null);
   });
 }
 
 /**
  * @param {Store} store
- * @param {Hit} hit
- * @param {number} time_s
- * @param {boolean} isMore whether what was selected stays so
+ * @param {Held} held
  */
-function press(store, { row, item }, time_s, isMore) {
+function press(store, { hit: { row, item }, from_s, isMore }) {
+  const isAmong = item !== null && [store.get(SELECTION), ...store.get(MARKED)].includes(item.id);
+  const isBeside = isMore && item !== null && mark(store, item.id);
   if (row === "ruler") {
-    store.set(TIME_S, Math.max(0, time_s));
-  } else if (!isMore || !item || !mark(store, item.id)) {
-    store.set(MARKED, []);
-    selectAndSeek(store, item?.id ?? null);
+    store.set(TIME_S, Math.max(0, from_s));
+  } else if (!isBeside && !isAmong) {
+    select(store, item);
   }
+}
+
+/**
+ * Of several that are selected the one that was pressed is, unless all were dragged; the playhead goes with what was.
+ *
+ * @param {Store} store
+ * @param {Held} held
+ * @param {number} to_s
+ */
+function release(store, { hit: { row, item, mark: name }, from_s, far, isMore }, to_s) {
+  store.set(SNAP_S, null);
+  if (row === "ruler" || !item) {
+    return;
+  }
+  if (!far && !isMore) {
+    select(store, item);
+  } else if (far && item.marks.length > 0 && row !== "words" && !store.get(PLAYBACK).playing) {
+    store.set(TIME_S, Math.max(0, (leading_s(item, name) ?? from_s) + to_s - from_s));
+  }
+}
+
+/**
+ * @param {Store} store
+ * @param {Item | null} item
+ */
+function select(store, item) {
+  store.set(MARKED, []);
+  selectAndSeek(store, item?.id ?? null);
 }
 
 /**
@@ -102,7 +142,7 @@ function mark(store, id) {
  * The time that is dragged to, moved so that the item or its mark snaps.
  *
  * @param {Store} store
- * @param {{ hit: Hit, from_s: number, far: boolean }} held
+ * @param {Held} held
  * @param {number} to_s
  * @param {Axis | null} axis null where nothing is to snap
  */
@@ -131,7 +171,7 @@ function leading_s({ marks }, name) {
 
 /**
  * @param {Store} store
- * @param {{ hit: Hit, from_s: number, far: boolean }} held
+ * @param {Held} held
  * @param {number} to_s
  * @param {boolean} ended
  */

@@ -4,15 +4,17 @@
  */
 
 import { el } from "../dom.js";
+import { icon } from "../icons.js";
 import { problemOf } from "../service/service.js";
 import { PERFORMED, PROBLEM } from "../state/performed.js";
-import { PROJECT } from "../state/project.js";
+import { isRecorded, PROJECT } from "../state/project.js";
 import { OTHERS } from "./compared.js";
 import { makeList } from "./list.js";
-import { keepLooks, LOOKS } from "./looks.js";
+import { keepLooks, LOOKS, toggleLook } from "./looks.js";
 import { PEAKS, peaksOf } from "./signals.js";
 import { Timeline, ZOOM } from "./view.js";
 
+/** @import { IconName } from "../icons.js" */
 /** @import { Store } from "../state/store.js" */
 
 /**
@@ -43,17 +45,18 @@ export function mountTimeline(element, store) {
  * @param {Store} store
  */
 function toolbar(timeline, store) {
-  const button = (/** @type {string} */ name, /** @type {string} */ sign, /** @type {() => void} */ click) =>
-    el("button", { type: "button", "aria-label": name, title: name, click }, [sign]);
+  const button = (/** @type {string} */ name, /** @type {IconName} */ sign, /** @type {() => void} */ click) =>
+    el("button", { type: "button", class: "square quiet", "aria-label": name, title: name, click }, [icon(sign)]);
   return el("div", { class: "toolbar", role: "toolbar", "aria-label": "Timeline" }, [
-    button("Zoom in", "+", () => timeline.zoom(1 / ZOOM)),
-    button("Zoom out", "−", () => timeline.zoom(ZOOM)),
-    button("Whole line", "Whole", () => timeline.whole()),
-    button("Earlier", "◂", () => timeline.scroll(-0.5)),
-    button("Later", "▸", () => timeline.scroll(0.5)),
-    button("Zoom to what is selected", "Selection", () => timeline.selection()),
-    toggle(store, "alternatives", "Alternatives", "What could have been done as well, and why it was not"),
-    toggle(store, "list", "List", "Everything on the timeline as a list"),
+    button("Zoom in", "zoom_in", () => timeline.zoom(1 / ZOOM)),
+    button("Zoom out", "zoom_out", () => timeline.zoom(ZOOM)),
+    button("Whole line", "whole", () => timeline.whole()),
+    button("Earlier", "earlier", () => timeline.scroll(-0.5)),
+    button("Later", "later", () => timeline.scroll(0.5)),
+    button("Zoom to the selection", "selection", () => timeline.selection()),
+    toggle(store, { name: "ripple", sign: "ripple" }, "Ripple", "What comes later in a row moves along (R)"),
+    toggle(store, { name: "alternatives", sign: "alternatives" }, "Alternatives", "What could have been done as well, and why it was not"),
+    toggle(store, { name: "list", sign: "list" }, "List", "Everything on the timeline as a list"),
   ]);
 }
 
@@ -69,7 +72,8 @@ function keepPeaks(store) {
     const { audio } = store.get(PROJECT);
     if (line && audio && audio !== file) {
       file = audio;
-      peaksOf(audio).then(
+      const decoded = isRecorded(audio) ? peaksOf(audio) : Promise.resolve(new Float32Array());
+      decoded.then(
         (peaks) => store.set(PEAKS, peaks),
         (error) => {
           store.set(PEAKS, new Float32Array());
@@ -82,13 +86,13 @@ function keepPeaks(store) {
 
 /**
  * @param {Store} store
- * @param {"alternatives" | "list"} name
+ * @param {{ name: "alternatives" | "list" | "ripple", sign: IconName }} which
  * @param {string} text
  * @param {string} title
  */
-function toggle(store, name, text, title) {
-  const button = el("button", { type: "button", id: name, title, class: name === "alternatives" ? "apart" : "" }, [text]);
-  button.addEventListener("click", () => store.patch(LOOKS, { [name]: !store.get(LOOKS)[name] }));
+function toggle(store, { name, sign }, text, title) {
+  const button = el("button", { type: "button", id: name, title, class: name === "ripple" ? "quiet apart" : "quiet" }, [icon(sign), text]);
+  button.addEventListener("click", () => toggleLook(store, name));
   store.watch(LOOKS, (looks) => button.setAttribute("aria-pressed", String(looks[name])));
   return button;
 }

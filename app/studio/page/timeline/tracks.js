@@ -53,13 +53,13 @@ export function rowsOf(performance, { alternatives, others = [] } = { alternativ
   const row = (/** @type {string} */ name, /** @type {readonly Loose[]} */ items) => rowOf(name, items, alternatives);
   return [
     { name: "words", kind: "wave", items: wordItems(performance), lanes: 1 },
-    row("phones", phoneItems(performance)),
-    { name: "voice", kind: "voice", items: [], lanes: 1 },
-    row("feeling", feelingItems(performance)),
     row("focus", focusItems(performance)),
     ...CHANNELS.map((channel) => row(channel, behaviorItems(performance, channel))),
     ...(others.length > 0 ? [row("compared", others.map((each) => ({ ...behaviorItem(each), id: `compared:${each.id}` })))] : []),
+    row("feeling", feelingItems(performance)),
     row("functions", functionItems(performance)),
+    { name: "voice", kind: "voice", items: [], lanes: 1 },
+    row("phones", phoneItems(performance)),
     row("visemes", visemeItems(performance)),
   ];
 }
