@@ -1,7 +1,8 @@
 """The studio page in Debian's Chromium, against a service that is started once for all tests of a process.
 
 `page` is a page that was not opened yet; when a test is over it fails where something went wrong in the page, or where
-the page asked anybody but its own service. `opened` has performed the example line.
+the page asked anybody but its own service. `opened` has performed the example line, for one test; `looked_at` too, for
+all tests of a module that leave the line as it is: a visit costs some four seconds of processor time.
 """
 
 import shutil
@@ -70,8 +71,18 @@ def opened_page(
     assert faults == []
 
 
+@pytest.fixture(scope="module")
+def looked_at(browser: Browser, service_url: str) -> Iterator[Page]:
+    with opened_page(browser, service_url) as made:
+        yield _with_example(made)
+
+
 @pytest.fixture
 def opened(page: Page) -> Page:
+    return _with_example(page)
+
+
+def _with_example(page: Page) -> Page:
     page.goto("/?line=example")
     page.wait_for_selector("#stage-canvas[data-roles='speaker']")
     return page

@@ -48,12 +48,12 @@ def _made(page: Page, button: str) -> bytes:
 
 
 @pytest.mark.parametrize("ending", [".bml", ".smartbody.bml", ".glb", ".bvh", ".csv"])
-def test_bytes_are_those_of_the_command_line(opened: Page, written: Path, ending: str) -> None:
-    assert _saved(opened, ending) == (written / f"example{ending}").read_bytes()
+def test_bytes_are_those_of_the_command_line(looked_at: Page, written: Path, ending: str) -> None:
+    assert _saved(looked_at, ending) == (written / f"example{ending}").read_bytes()
 
 
-def test_the_performance_is_that_of_the_command_line(opened: Page, written: Path) -> None:
-    assert json.loads(_saved(opened, ".json")) == json.loads((written / "example.json").read_bytes())
+def test_the_performance_is_that_of_the_command_line(looked_at: Page, written: Path) -> None:
+    assert json.loads(_saved(looked_at, ".json")) == json.loads((written / "example.json").read_bytes())
 
 
 def test_a_project_has_all_and_opens_again(opened: Page, tmp_path: Path) -> None:
@@ -76,8 +76,8 @@ def test_a_project_has_all_and_opens_again(opened: Page, tmp_path: Path) -> None
     assert opened.locator(".takes li").count() == 1
 
 
-def test_stills_are_a_picture_of_the_strokes(opened: Page) -> None:
-    assert _made(opened, "Still sheet").startswith(b"\x89PNG")
+def test_stills_are_a_picture_of_the_strokes(looked_at: Page) -> None:
+    assert _made(looked_at, "Still sheet").startswith(b"\x89PNG")
 
 
 def test_a_film_and_frames_are_as_long_as_the_line(opened: Page, tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from itertools import pairwise
 
+import pytest
 from playwright.sync_api import Page
 
 from tests.studio.waiting import wait_until
@@ -43,66 +44,79 @@ def _roles(page: Page, roles: str) -> None:
     page.wait_for_selector(f"#stage-canvas[data-roles='{roles}']")
 
 
-def test_the_example_is_performed_and_moves_when_it_is_played(opened: Page) -> None:
-    assert "7.18 s" in opened.inner_text("#state")
-    before = _pose(opened)
+@pytest.fixture
+def rewound(looked_at: Page) -> Page:
+    """Paused at the beginning, with nothing that is repeated."""
+    looked_at.focus("#stage-canvas")
+    looked_at.keyboard.press("k")
+    if looked_at.get_attribute("#loop", "aria-pressed") == "true":
+        looked_at.click("#loop")
+    looked_at.focus("#stage-canvas")
+    looked_at.keyboard.press("Home")
+    wait_until(looked_at, "Number(document.querySelector('#stage-canvas').dataset.time) === 0")
+    return looked_at
+
+
+def test_the_example_is_performed_and_moves_when_it_is_played(rewound: Page) -> None:
+    assert "7.18 s" in rewound.inner_text("#state")
+    before = _pose(rewound)
     assert len(before) == 6
-    opened.click("#play")
+    rewound.click("#play")
     wrist = "document.querySelector('#stage-canvas').dataset.pose.split(' ')"
-    wait_until(opened, f"{wrist}.some((metres, axis) => Math.abs(metres - {before}[axis]) > 0.1)")
-    assert 0 < _seconds(opened) <= EXAMPLE_S
+    wait_until(rewound, f"{wrist}.some((metres, axis) => Math.abs(metres - {before}[axis]) > 0.1)")
+    assert 0 < _seconds(rewound) <= EXAMPLE_S
 
 
-def test_each_frame_shows_what_was_heard_when_it_began(opened: Page) -> None:
-    opened.evaluate(HEARD)
-    opened.click("#play")
-    wait_until(opened, "window.heard_s > 0.2")
-    samples = [sample for sample in opened.evaluate(SAMPLED) if sample[0] < EXAMPLE_S - FRAME_S]
+def test_each_frame_shows_what_was_heard_when_it_began(rewound: Page) -> None:
+    rewound.evaluate(HEARD)
+    rewound.click("#play")
+    wait_until(rewound, "window.heard_s > 0.2")
+    samples = [sample for sample in rewound.evaluate(SAMPLED) if sample[0] < EXAMPLE_S - FRAME_S]
     assert len({heard for _shown, heard in samples}) > 1
     assert max(abs(shown - heard) for shown, heard in samples) < 1e-6
 
 
-def test_frames_are_stepped_by_button_and_key(opened: Page) -> None:
+def test_frames_are_stepped_by_button_and_key(rewound: Page) -> None:
     for _ in range(3):
-        opened.click("[aria-label='One frame on']")
-    wait_until(opened, f"Math.abs(document.querySelector('#stage-canvas').dataset.time - {3 * FRAME_S}) < 1e-6")
-    opened.click("#stage-canvas")
-    opened.evaluate("document.activeElement.blur()")
-    opened.keyboard.press("ArrowLeft")
-    wait_until(opened, f"Math.abs(document.querySelector('#stage-canvas').dataset.time - {2 * FRAME_S}) < 1e-6")
+        rewound.click("[aria-label='One frame on']")
+    wait_until(rewound, f"Math.abs(document.querySelector('#stage-canvas').dataset.time - {3 * FRAME_S}) < 1e-6")
+    rewound.click("#stage-canvas")
+    rewound.evaluate("document.activeElement.blur()")
+    rewound.keyboard.press("ArrowLeft")
+    wait_until(rewound, f"Math.abs(document.querySelector('#stage-canvas').dataset.time - {2 * FRAME_S}) < 1e-6")
 
 
-def test_a_chosen_stretch_is_played_again_and_again(opened: Page) -> None:
-    box = opened.locator("#timeline-canvas").bounding_box()
+def test_a_chosen_stretch_is_played_again_and_again(rewound: Page) -> None:
+    box = rewound.locator("#timeline-canvas").bounding_box()
     assert box
-    opened.mouse.move(box["x"] + 200, box["y"] + 40)
-    opened.mouse.down()
-    opened.mouse.move(box["x"] + 260, box["y"] + 40, steps=3)
-    opened.mouse.up()
-    assert opened.get_attribute("#loop", "aria-pressed") == "true"
-    opened.click("#play")
-    wait_until(opened, "document.querySelector('audio').currentTime > 0.5")
+    rewound.mouse.move(box["x"] + 200, box["y"] + 40)
+    rewound.mouse.down()
+    rewound.mouse.move(box["x"] + 260, box["y"] + 40, steps=3)
+    rewound.mouse.up()
+    assert rewound.get_attribute("#loop", "aria-pressed") == "true"
+    rewound.click("#play")
+    wait_until(rewound, "document.querySelector('audio').currentTime > 0.5")
     times: list[float] = []
     while not any(after < before for before, after in pairwise(times)) and len(times) < 90:
-        times += (shown for shown, _heard in opened.evaluate(SAMPLED))
+        times += (shown for shown, _heard in rewound.evaluate(SAMPLED))
     assert any(after < before for before, after in pairwise(times))
     assert max(times) < 2.5
 
 
-def test_a_listener_stands_beside_or_instead(opened: Page) -> None:
-    opened.select_option("#listening", "beside")
-    _roles(opened, "speaker reserved")
-    opened.select_option("#shot", "over_shoulder")
-    opened.select_option("#listening", "instead")
-    _roles(opened, "reserved")
-    opened.click("#undo")
-    opened.select_option("#listening", "none")
-    _roles(opened, "speaker")
+def test_a_listener_stands_beside_or_instead(rewound: Page) -> None:
+    rewound.select_option("#listening", "beside")
+    _roles(rewound, "speaker reserved")
+    rewound.select_option("#shot", "over_shoulder")
+    rewound.select_option("#listening", "instead")
+    _roles(rewound, "reserved")
+    rewound.click("#undo")
+    rewound.select_option("#listening", "none")
+    _roles(rewound, "speaker")
 
 
-def test_another_character_has_another_body_and_can_be_undone(opened: Page) -> None:
-    before = _pose(opened)
-    opened.select_option("#project label:has-text('Character') select", "expansive")
-    wait_until(opened, f"document.querySelector('#stage-canvas').dataset.pose.split(' ')[1] != {before[1]:.4f}")
-    opened.click("#undo")
-    wait_until(opened, f"document.querySelector('#stage-canvas').dataset.pose.split(' ')[1] == {before[1]:.4f}")
+def test_another_character_has_another_body_and_can_be_undone(rewound: Page) -> None:
+    before = _pose(rewound)
+    rewound.select_option("#project label:has-text('Character') select", "expansive")
+    wait_until(rewound, f"document.querySelector('#stage-canvas').dataset.pose.split(' ')[1] != {before[1]:.4f}")
+    rewound.click("#undo")
+    wait_until(rewound, f"document.querySelector('#stage-canvas').dataset.pose.split(' ')[1] == {before[1]:.4f}")

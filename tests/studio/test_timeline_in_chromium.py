@@ -13,51 +13,51 @@ def _reasons(page: Page) -> str:
     return page.inner_text("#inspected")
 
 
-def test_the_list_leads_to_reasons_rules_terms_and_losers(opened: Page) -> None:
-    opened.click("#items li[title*='gesture NEGATION']")
-    told = _reasons(opened)
+def test_the_list_leads_to_reasons_rules_terms_and_losers(looked_at: Page) -> None:
+    looked_at.click("#items li[title*='gesture NEGATION']")
+    told = _reasons(looked_at)
     for part in ("have never seen", "show_negation", "agreement.rules:", "reading in context: negation", "none_empty"):
         assert part in told
-    opened.click("#reasons button:has-text('negation “never”')")
-    assert "negation_word" in _reasons(opened)
-    assert "the word “never”" in _reasons(opened)
+    looked_at.click("#reasons button:has-text('negation “never”')")
+    assert "negation_word" in _reasons(looked_at)
+    assert "the word “never”" in _reasons(looked_at)
 
 
-def test_what_was_dropped_says_to_what_it_gave_way(opened: Page) -> None:
-    opened.click("#alternatives")
-    opened.locator("#items li.dropped[title*='head SHAKE']").last.click()
-    assert "too close to SHAKE" in _reasons(opened)
+def test_what_was_dropped_says_to_what_it_gave_way(looked_at: Page) -> None:
+    looked_at.click("#alternatives")
+    looked_at.locator("#items li.dropped[title*='head SHAKE']").last.click()
+    assert "too close to SHAKE" in _reasons(looked_at)
 
 
-def test_arrows_move_the_selection(opened: Page) -> None:
-    opened.focus("#items")
-    opened.keyboard.press("Home")
-    opened.keyboard.press("ArrowDown")
-    assert opened.get_attribute("#items li:nth-child(2)", "aria-selected") == "true"
-    assert opened.get_attribute("#items", "aria-activedescendant") == "item-1"
+def test_arrows_move_the_selection(looked_at: Page) -> None:
+    looked_at.focus("#items")
+    looked_at.keyboard.press("Home")
+    looked_at.keyboard.press("ArrowDown")
+    assert looked_at.get_attribute("#items li:nth-child(2)", "aria-selected") == "true"
+    assert looked_at.get_attribute("#items", "aria-activedescendant") == "item-1"
 
 
-def test_a_click_on_the_canvas_selects_and_the_ruler_moves_the_playhead(opened: Page) -> None:
-    opened.click("#items li[title*='gesture NEGATION']")
-    opened.keyboard.press("Home")
-    opened.mouse.click(*place_of(opened, 4.0))
-    wait_until(opened, "Math.abs(parseFloat(document.querySelector('#time').value) - 4) < 0.1")
-    opened.mouse.click(*place_of(opened, 0.9, top_px=68))
-    assert "never" in _reasons(opened)
+def test_a_click_on_the_canvas_selects_and_the_ruler_moves_the_playhead(looked_at: Page) -> None:
+    looked_at.click("#items li[title*='gesture NEGATION']")
+    looked_at.keyboard.press("Home")
+    looked_at.mouse.click(*place_of(looked_at, 4.0))
+    wait_until(looked_at, "Math.abs(parseFloat(document.querySelector('#time').value) - 4) < 0.1")
+    looked_at.mouse.click(*place_of(looked_at, 0.9, top_px=68))
+    assert "never" in _reasons(looked_at)
 
 
-def test_zooming_is_undone_by_the_whole_line(opened: Page) -> None:
+def test_zooming_is_undone_by_the_whole_line(looked_at: Page) -> None:
     """Times on the canvas are in whole milliseconds, so a quotient of two is off by one at most."""
-    whole = opened.get_attribute("#timeline-canvas", "data-stretch") or ""
+    whole = looked_at.get_attribute("#timeline-canvas", "data-stretch") or ""
     assert whole.endswith(" 0.000")
-    assert float(whole.split()[0]) == pytest.approx(whole_s(opened), abs=0.005)
-    opened.click("[aria-label='Zoom in']")
-    opened.click("[aria-label='Zoom in']")
-    seen_s, from_s = map(float, (opened.get_attribute("#timeline-canvas", "data-stretch") or "").split())
+    assert float(whole.split()[0]) == pytest.approx(whole_s(looked_at), abs=0.005)
+    looked_at.click("[aria-label='Zoom in']")
+    looked_at.click("[aria-label='Zoom in']")
+    seen_s, from_s = map(float, (looked_at.get_attribute("#timeline-canvas", "data-stretch") or "").split())
     assert seen_s == pytest.approx(float(whole.split()[0]) / 1.4**2, abs=0.001)
     assert from_s == 0.0
-    opened.click("[aria-label='Whole line']")
-    assert opened.get_attribute("#timeline-canvas", "data-stretch") == whole
+    looked_at.click("[aria-label='Whole line']")
+    assert looked_at.get_attribute("#timeline-canvas", "data-stretch") == whole
 
 
 def test_rows_unfold_and_grow_and_stay_so(opened: Page) -> None:
@@ -88,12 +88,12 @@ def test_a_movement_is_copied_to_the_playhead_and_undone(opened: Page) -> None:
     expect(opened.locator("#items li:not(.dropped)[title*='head SHAKE']")).to_have_count(1)
 
 
-def test_j_k_and_l_play_as_in_other_timelines(opened: Page) -> None:
-    opened.focus("#stage-canvas")
-    opened.keyboard.press("End")
-    opened.keyboard.press("j")
-    wait_until(opened, "parseFloat(document.querySelector('#time').value) < 7")
-    opened.keyboard.press("k")
-    expect(opened.locator("#play")).to_have_text("Play")
-    opened.keyboard.press("i")
-    expect(opened.locator("#loop")).to_have_attribute("aria-pressed", "true")
+def test_j_k_and_l_play_as_in_other_timelines(looked_at: Page) -> None:
+    looked_at.focus("#stage-canvas")
+    looked_at.keyboard.press("End")
+    looked_at.keyboard.press("j")
+    wait_until(looked_at, "parseFloat(document.querySelector('#time').value) < 7")
+    looked_at.keyboard.press("k")
+    expect(looked_at.locator("#play")).to_have_text("Play")
+    looked_at.keyboard.press("i")
+    expect(looked_at.locator("#loop")).to_have_attribute("aria-pressed", "true")
