@@ -12,7 +12,7 @@ from tests.studio.conftest import opened_page
 from tests.studio.tasks import LOOKS, TASKS, Desk
 
 
-@pytest.mark.parametrize(("task", "look"), zip(TASKS, cycle(("large-light", "small-dark")), strict=False))
+@pytest.mark.parametrize(("task", "look"), list(zip(TASKS, cycle(("large-light", "small-dark")), strict=False)))
 def test_a_task_is_done(
     browser: Browser, service_url: str, scene: Path, tmp_path: Path, *, task: str, look: str
 ) -> None:
