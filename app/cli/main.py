@@ -11,7 +11,7 @@ import gc
 import importlib
 import os
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import cast
@@ -26,6 +26,13 @@ from .log import Log
 WRONG_INPUT = 2
 INTERRUPTED = 130
 
+SHARED = {
+    **{name: ("hearing", name) for name in ("agitation", "align", "pitch", "reference")},
+    **{name: ("serving", name) for name in ("serve", "studio")},
+    "say": ("perform", "run"),
+}
+"""The module and function of each command that shares a module with others."""
+
 FEWEST_NEW_OBJECTS = 50_000
 """Garbage collection threshold. Loading makes many objects that all stay; with Python's own threshold of 700,
 collections take a tenth of the time of a short line."""
@@ -39,9 +46,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         arguments = make_parser().parse_args(argv)
         require_distinct(arguments)
-        command = importlib.import_module(f".commands.{_module(arguments.command)}", __package__)
+        run = _command(arguments.command)
         with set_by(arguments):
-            code = cast(int, command.run(arguments, log))
+            code = run(arguments, log)
         sys.stdout.flush()
     except UnderstudyError as error:
         log.error(error)
@@ -54,9 +61,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     return code
 
 
-def _module(command: str) -> str:
-    """The module of `agitation train` or `motion-model`."""
-    return command.replace(" ", "_").replace("-", "_")
+def _command(name: str) -> Callable[[argparse.Namespace, Log], int]:
+    """What `agitation train` or `motion-model` runs: `run` of the module of that name, or a function of a module of
+    several commands. Only that module is imported."""
+    name = name.replace(" ", "_").replace("-", "_")
+    module, function = SHARED.get(name, (name, "run"))
+    home = importlib.import_module(f".commands.{module}", __package__)
+    return cast(Callable[[argparse.Namespace, Log], int], getattr(home, function))
 
 
 def _discard_the_rest() -> None:

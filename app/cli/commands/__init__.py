@@ -1,4 +1,5 @@
-"""One module a command, with a function `run(arguments, log)` that returns the exit code; `understudy.cli.main` imports
-only the one that is called. Imports what commands share (`inputs`, `outputs`, `files`, `log`) and, beneath `cli`,
-`performance`, `realization`, `authoring` and `schemas`; `serve` imports `api`, and `gestures` the rooms of `realizer`
-that draw. Begin with `align.py`, one of the shortest, then `perform.py`."""
+"""What each command does: a function of the arguments and the log that returns the exit code. A command has a module of
+its own, with a function `run`, or shares one (`understudy.cli.main.SHARED`); only that of the command called is
+imported. Commands import what they share (`inputs`, `outputs`, `files`, `log`) and, beneath `cli`, the library, the
+authoring room and the schemas. Begin with `analyze.py`, one of the shortest, then `perform.py`.
+"""

@@ -1,5 +1,5 @@
-"""`understudy studio`: runs the service for this machine alone and opens the studio page in the browser, with a line or
-a scene if one is given."""
+"""Runs the service until it is stopped: `understudy serve`; and `understudy studio`, for this machine alone, with the
+studio's page opened in the browser, with a line or a scene if one is given."""
 
 import argparse
 import webbrowser
@@ -17,7 +17,16 @@ from ..service import run_service
 LOOPBACK = "127.0.0.1"
 
 
-def run(arguments: argparse.Namespace, log: Log) -> int:
+def serve(arguments: argparse.Namespace, log: Log) -> int:
+    """Raises KeyboardInterrupt, after everything has ended, if that is what stopped it."""
+    settings = read_settings()
+    origins = ", ".join(arguments.allow_origin) if arguments.allow_origin else None
+    chosen = {"host": arguments.host, "port": arguments.port, "allowed_origins": origins}
+    settings = settings.model_copy(update={key: value for key, value in chosen.items() if value is not None})
+    return run_service(settings, log, reload=arguments.reload)
+
+
+def studio(arguments: argparse.Namespace, log: Log) -> int:
     """Raises KeyboardInterrupt, after everything has ended, if that is what stopped it; InputError for what cannot be
     read."""
     settings = read_settings().model_copy(update={"host": LOOPBACK, "port": arguments.port, "studio": True})
