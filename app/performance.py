@@ -17,6 +17,7 @@ from .behavior.idle.stillness import with_stillness
 from .behavior.stage import (
     Performer,
     assemble,
+    chooses_by_priority,
     meanings_at,
     offer_candidates,
     performer_of,
@@ -37,6 +38,7 @@ from .profiles.generation.script import GestureScript
 from .progress import Progress, no_progress
 from .rules.derivation import understand
 from .rules.mapping import map_functions
+from .rules.priorities import resolved_as_in_paper
 from .transcript import read_transcript
 
 
@@ -75,15 +77,15 @@ def perform_line(
     contradictions = _checked(understudy, line, options, analysis)
     analysis = analysis or analyze(understudy, line, options, progress)  # §3.1 to §3.3
     progress("plan")
-    known, facts = analysis.functions, analysis.facts
-    mapped = map_functions(models.rules, analysis.utterance, known, seed=options.seed, facts=facts)  # §3.4
-    performer = performer_of(models, analysis, options, mapped=mapped, direction=line.direction, near=near)
+    known = _competing(understudy, analysis, options)
+    mapped = map_functions(models.rules, known.utterance, known.functions, seed=options.seed, facts=known.facts)  # §3.4
+    performer = performer_of(models, known, options, mapped=mapped, direction=line.direction, near=near)
     performer = _with_marked_words(performer, edits.words)
     planned = plan_line(performer)
     progress("mapping")
     candidates, moments = offer_candidates(performer, planned)
     progress("schedule")
-    timed = replace(analysis, utterance=with_lead_in(analysis.utterance, options.lead_in_s))
+    timed = replace(known, utterance=with_lead_in(analysis.utterance, options.lead_in_s))
     behaviors, script = schedule_line(performer, timed, planned, candidates)  # §3.5
     performance = assemble(performer, timed, moments, behaviors)
     performance = edited(performance, edits.behaviors, performer.character)
@@ -139,6 +141,14 @@ def _checked(understudy: Understudy, line: Line, options: Options, analysis: Ana
     words = analysis.utterance.words if analysis else read_transcript(line.text, max_characters=limit)
     check_direction(line.direction, words=len(words))
     return conflicts(line.direction)
+
+
+def _competing(understudy: Understudy, analysis: Analysis, options: Options) -> Analysis:
+    """The analysis with the functions by which behaviours are chosen: where that is by priority, those that share words
+    have competed (paper §3.3)."""
+    if not chooses_by_priority(understudy.behavior, options):
+        return analysis
+    return replace(analysis, functions=resolved_as_in_paper(analysis.functions))
 
 
 def _with_marked_words(performer: Performer, edits: Sequence[WordEdit]) -> Performer:

@@ -59,6 +59,7 @@ from .speaker_profiles.gesture_scripts import (
     without_planned_gestures,
 )
 from .speaker_profiles.habits import as_listener, as_speaker, listening_postures, speaking_postures
+from .speech.phrasing import expanded_in_rhemes
 from .speech.visemes import visemes
 from .timing.phases import with_manner
 
@@ -117,10 +118,15 @@ class Performer:
 
     @property
     def reads(self) -> bool:
-        """Whether the one choice is made, and not the paper's by priority alone: as the caller says, else the
-        character, else the settings."""
-        choice = self.options.choice or self.character.choice or self.models.settings.choice
-        return choice == "terms"
+        """Whether the one choice is made, and not the paper's by priority alone."""
+        return not chooses_by_priority(self.models, self.options)
+
+
+def chooses_by_priority(models: BehaviorStage, options: Options) -> bool:
+    """Whether movements are chosen by priority alone, as in the paper: as the caller says, else the character, else the
+    settings. Raises InputError `unknown_character`."""
+    character = models.characters.named(options.character)
+    return (options.choice or character.choice or models.settings.choice) == "priority"
 
 
 @dataclass(frozen=True, slots=True)
@@ -274,6 +280,7 @@ def assemble(
     targets = placed_listeners(options.listeners, options.targets)
     behaviors = addressed(with_manner(behaviors, utterance), options.listeners, targets)
     behaviors = with_slots(behaviors, analysis, moments, performer.models.slots, options.listeners)
+    behaviors = expanded_in_rhemes(behaviors, utterance.words, analysis.functions)
     lips, lip_notices = visemes(utterance.words, utterance.duration_s or 0.0)
     return Performance(
         utterance=utterance,

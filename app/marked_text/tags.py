@@ -23,9 +23,10 @@ GENERIC_GESTURE = "beat_gesture"
 """Gesture Engine takes a beat where a request names no gesture (§5)."""
 
 MOST_DEPTH = 64
-GROUPS = frozenset(
-    {"speak", "apml", "turn", "utterance", "s", "p", "theme", "rheme", "topic-comment", "mark", "say-as"}
-)
+NAMED_PRIORITY = 1.0
+"""Of a function that a tag names by itself, such as the rheme: the least, for it says where others belong."""
+
+GROUPS = frozenset({"speak", "apml", "turn", "utterance", "s", "p", "topic-comment", "mark", "say-as"})
 _SEPARATE = frozenset({"s", "p", "turn", "utterance", "performative"})
 """Between these, words end without white space too."""
 
@@ -142,10 +143,13 @@ class _Reader:
         functions = list(self._table.functions_of(tag.name, tag.attributes))
         if words:
             self._found.functions += [GivenFunction(name, subtype, words[0], words[-1]) for name, subtype in functions]
+        named = self._table.function_named(tag.name)
+        if named and words:
+            self._found.functions.append(GivenFunction(*named, words[0], words[-1], NAMED_PRIORITY))
         taken = _TAKEN.get(tag.name)
         if taken:
             taken(self._found, tag, words)
-        elif not functions and tag.name not in GROUPS:
+        elif not functions and not named and tag.name not in GROUPS:
             self._found.unread[tag.name] = None
 
 

@@ -3,7 +3,8 @@
 `functions/priorities.yaml` is the single table of both: functions that are not in it are mistakes wherever they are
 named.
 
-Resolves conflicts between functions: which ones compete, and which of them is kept (paper §3.3).
+Resolves conflicts between functions: which ones compete, and which of them is kept (paper §3.3): by a table
+(`resolved`), or all that overlap, as the paper has it (`resolved_as_in_paper`).
 """
 
 from collections import defaultdict
@@ -113,15 +114,40 @@ def resolved(functions: Sequence[Function], conflicts: Conflicts) -> tuple[Funct
             continue
         for kind in _kinds(function):
             strongest_on[kind] |= {word: (number, function) for word in words if word not in strongest_on[kind]}
-    return tuple(
-        replace(function, kept=False, lost_to=lost_to[function.id]) if function.id in lost_to else function
-        for function in functions
-    )
+    return tuple(_marked(functions, lost_to))
+
+
+def resolved_as_in_paper(functions: Sequence[Function]) -> tuple[Function, ...]:
+    """The same functions, where of those still kept any two that share a word compete, whatever their classes: "these
+    priorities are used to resolve conflicts between overlapping functions with lower priorities being dropped" (paper
+    §3.3). Then the longer wins, then the earlier. Given functions compete too, by their priority, but none is
+    dropped."""
+    strongest_on: dict[int, Function] = {}
+    lost_to: dict[str, str] = {}
+    for function in sorted((each for each in functions if each.kept), key=_importance):
+        words = range(function.first, function.last + 1)
+        winners = [strongest_on[word] for word in words if word in strongest_on]
+        if winners and not function.given:
+            lost_to[function.id] = min(winners, key=_importance).id
+            continue
+        strongest_on |= {word: function for word in words if word not in strongest_on}
+    return tuple(_marked(functions, lost_to))
+
+
+def _marked(functions: Iterable[Function], lost_to: Mapping[str, str]) -> Iterator[Function]:
+    """The functions, those that lost as not kept."""
+    for function in functions:
+        winner = lost_to.get(function.id)
+        yield replace(function, kept=False, lost_to=winner) if winner else function
 
 
 def _kinds(function: Function) -> tuple[_Kind, _Kind]:
     return (function.class_name, None), (function.class_name, function.subtype)
 
 
-def _rank(function: Function) -> tuple[bool, float, int, int]:
-    return not function.given, -function.priority, function.first - function.last, function.first
+def _rank(function: Function) -> tuple[bool, tuple[float, int, int]]:
+    return not function.given, _importance(function)
+
+
+def _importance(function: Function) -> tuple[float, int, int]:
+    return -function.priority, function.first - function.last, function.first

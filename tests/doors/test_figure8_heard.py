@@ -65,10 +65,11 @@ def _are_played(understudy: Understudy, performance: Performance) -> bool:
 
 
 def _spans(performance: Performance, class_name: str, subtype: str = "plain") -> set[tuple[int, int]]:
+    """The words of the functions that were derived, whether they were kept or not."""
     return {
         (function.first, function.last)
         for function in performance.functions
-        if function.kept and (function.class_name, function.subtype) == (class_name, subtype)
+        if (function.class_name, function.subtype) == (class_name, subtype)
     }
 
 
@@ -105,6 +106,23 @@ def test_the_functions_are_those_of_the_figure(performance: Performance) -> None
     assert _spans(performance, "quantification", "all") == {(8, 8)}
     assert _spans(performance, "initial_noun_phrase") == {(0, 0)}
     assert _spans(performance, "initial_verb_phrase") == {(1, 1)}
+
+
+def test_of_functions_on_the_same_words_the_most_important_is_kept(performance: Performance) -> None:
+    """§3.3: the emphasis of "those" gives way to the pointing, and that to the joined one, which is more specific."""
+    kept = [function for function in performance.functions if function.kept]
+    words = [word for function in kept for word in range(function.first, function.last + 1)]
+    assert len(words) == len(set(words))
+    by_id = {function.id: function for function in performance.functions}
+    lost = {
+        function.class_name: by_id[function.lost_to or ""]
+        for function in performance.functions
+        if not function.kept and function.last == 10
+    }
+    assert {name: (each.class_name, each.first, each.last) for name, each in lost.items()} == {
+        "emphasis": ("deixis", 10, 11),
+        "deixis": ("deixis", 10, 11),
+    }
 
 
 def test_self_is_shown_by_the_gesture_me(performance: Performance) -> None:

@@ -17,6 +17,7 @@ from understudy.cli.main import main
 from understudy.errors import InputError
 from understudy.model import Channel, Level, Performance, Timings
 from understudy.models import Understudy
+from understudy.realizer.scheduling.planning import plan_gestures
 from understudy.settings import Settings
 
 TEXT = "No, I have *never* seen those, Mr. Smith."
@@ -83,6 +84,35 @@ def test_tags_ask_for_functions_and_gestures(understudy: Understudy) -> None:
     ]
     (empty,) = [each for each in performance.behaviors if each.kept and each.lexeme == "EMPTY"]
     assert empty.first == 2
+
+
+RHEME = (
+    '<apml><theme>As for the house,</theme> <rheme>it was <gesture name="NARROW"><emphasis adjectival="small">tiny'
+    "</emphasis></gesture> when <emphasis>Peter</emphasis> saw the <emphasis>garden</emphasis>.</rheme></apml>"
+)
+"""A turn of Gesture Engine's discourse planner, whose gesture is a small measure."""
+
+
+def test_in_a_rheme_the_stroke_is_repeated_on_further_emphases_each_time_smaller(
+    understudy: Understudy, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Gesture Engine §5.1, by the command and by what it wrote."""
+    turn, bml = tmp_path / "turn.xml", tmp_path / "turn.bml"
+    turn.write_text(RHEME, encoding="utf-8")
+    assert main(["say", "--text-file", str(turn), "-o", str(bml)]) == 0
+    assert "tags_unread" not in capsys.readouterr().err
+    given = [each for each in package.say(understudy, RHEME).functions if each.given]
+    assert [(each.class_name, each.subtype, each.first, each.last) for each in given] == [
+        ("information", "theme", 0, 3),
+        ("information", "rheme", 4, 11),
+        ("physical", "small", 6, 6),
+    ]
+    schedule = package.realize_bml(understudy, bml).schedule
+    (narrow,) = [each for each in schedule.behaviors if each.kind is Channel.GESTURE and each.kept]
+    assert narrow.lexeme == "NARROW"
+    plan = plan_gestures(understudy.realizer.library, schedule, seed=0)
+    repeats = next(arm.placed.repeats for arm in plan.gestures if arm.behavior == narrow.id)
+    assert [each.amplitude for each in repeats] == [0.6, 0.4]
 
 
 def test_a_gesture_that_does_not_exist_is_told(understudy: Understudy) -> None:

@@ -8,7 +8,9 @@ from understudy.marked_text.tag_table import TagTable
 from understudy.marked_text.tags import GENERIC_GESTURE, MOST_DEPTH, SpokenText
 from understudy.model import PLAIN, Demand, GivenFunction
 
-TABLE = TagTable({"performative": {"type": {"greet": "greeting", "order": "modal.obligation"}}})
+TABLE = TagTable(
+    {"performative": {"type": {"greet": "greeting", "order": "modal.obligation"}}}, {"rheme": "information.rheme"}
+)
 
 
 def _read(text: str) -> SpokenText:
@@ -57,6 +59,12 @@ def test_tags_become_functions_and_behaviours() -> None:
     assert [(each.what, each.first, each.last) for each in spoken.demands] == [("OFFER", 4, 4), (GENERIC_GESTURE, 5, 5)]
     assert all(isinstance(each, Demand) and each.always for each in spoken.demands)
     assert spoken.speaking.unread_tags == ("voice",)
+
+
+def test_a_tag_that_names_a_function_by_itself_is_the_least_important() -> None:
+    spoken = _read("<apml><theme>As for us,</theme> <rheme>we <emphasis>go</emphasis></rheme></apml>")
+    assert spoken.functions == (GivenFunction("information", "rheme", 3, 4, 1.0),)
+    assert spoken.speaking.unread_tags == ("theme",)
 
 
 @pytest.mark.parametrize(

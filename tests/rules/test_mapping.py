@@ -56,6 +56,7 @@ SUBTYPES = {
     "enumeration": "first next last item",
     "topic_shift": "new return",
     "parenthesis": "plain",
+    "information": "theme rheme",
     "hedging": "plain",
     "inclusion": "everyone together joining",
     "obligation": "self addressee inclusive other",

@@ -6,11 +6,12 @@ from pathlib import Path
 import pytest
 
 from tests.support.shipped_rules import shipped_rules
+from tests.support.words.by_hand import function
 from tests.support.words.utterances import utterance
 from understudy.errors import AuthoringError
-from understudy.model import Utterance
+from understudy.model import Function, Utterance
 from understudy.rules.derivation import FunctionRules, derive_functions
-from understudy.rules.priorities import Priorities
+from understudy.rules.priorities import Priorities, resolved_as_in_paper
 
 ROOT = Path(__file__).resolve().parents[2]
 TABLE = ROOT / "app" / "rules" / "functions" / "priorities.yaml"
@@ -69,3 +70,36 @@ def test_a_table_that_is_wrong_is_told_at_its_line(tmp_path: Path, wrong: str) -
     with pytest.raises(AuthoringError) as error:
         Priorities.load(path)
     assert [mistake.line for mistake in error.value.mistakes] == [2]
+
+
+def _kept(*functions: Function) -> list[str]:
+    return [found.id for found in resolved_as_in_paper(functions) if found.kept]
+
+
+def test_as_in_the_paper_functions_of_any_classes_compete_for_their_words() -> None:
+    """The paper's example (§3.3) is a comparative on a word that is emphasised as well."""
+    comparative = function("comparison", "positive", 2, 3, 4.0)
+    emphasis, negation, pointing = (
+        function("emphasis", "plain", 3, 3, 3.0),
+        function("negation", "plain", 4, 4, 3.0),
+        function("deixis", "distal", 4, 5, 3.0),
+    )
+    found = {each.id: each for each in resolved_as_in_paper((comparative, emphasis, negation, pointing))}
+    assert [each.id for each in found.values() if each.kept] == [comparative.id, pointing.id]
+    assert found[emphasis.id].lost_to == comparative.id
+    assert found[negation.id].lost_to == pointing.id
+
+
+def test_what_lost_takes_no_words_from_others() -> None:
+    first, middle, last = (
+        function("contrast", "plain", 0, 1, 5.0),
+        function("mental", "know", 1, 2, 4.0),
+        function("negation", "plain", 2, 2, 3.0),
+    )
+    assert _kept(first, middle, last) == [first.id, last.id]
+
+
+def test_a_given_function_is_never_dropped_and_competes_by_its_priority() -> None:
+    given = replace(function("information", "rheme", 0, 4, 1.0), given=True)
+    negation, opening = function("negation", "plain", 1, 1, 5.0), function("initial_noun_phrase", "plain", 0, 0, 1.0)
+    assert _kept(given, negation, opening) == [given.id, negation.id]

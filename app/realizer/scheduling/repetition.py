@@ -8,7 +8,7 @@ be still: a person's hand does not stand in the air (`Holds`).
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from itertools import chain, repeat
+from itertools import chain, count
 from math import inf
 
 import numpy as np
@@ -18,7 +18,9 @@ from ..gestures.gesture_plan import ArmGesture, PlacedGesture, Repeat
 from .transitions import TransitionContext, transition_s
 
 AMPLITUDES = (0.6, 0.4, 0.25)
-"""Of the first, second and third repetition, as shares of the stroke."""
+"""Of the first, second and third repetition, as shares of the stroke; of later ones each is `FADING` of the one before
+("with diminishing amplitudes")."""
+FADING = 0.65
 SHORTEST_SPACING_S = 0.35
 """Between the ends of two strokes: enough to move back and forth at a human speed."""
 LONGEST_SPACING_S = 1.5
@@ -66,10 +68,9 @@ def _repeats(placed: PlacedGesture, emphases_s: list[float], until_s: float) -> 
 
 
 def _asked(placed: PlacedGesture, after_strokes_s: Iterable[float], until_s: float) -> Iterator[Repeat]:
-    """The strokes that the schedule asks for, so far as the arm is free; each after the first as large as the last of
-    those that nobody asked for."""
+    """The strokes that the schedule asks for, so far as the arm is free."""
     stroke_s = placed.clip.markers.stroke_end - placed.clip.markers.stroke_start
-    amplitudes = chain(AMPLITUDES, repeat(AMPLITUDES[-1]))
+    amplitudes = chain(AMPLITUDES, (AMPLITUDES[-1] * FADING**number for number in count(1)))
     last_s = placed.stroke_end_s
     for after_s in after_strokes_s:
         end_s = placed.stroke_end_s + after_s

@@ -4,9 +4,10 @@ from dataclasses import replace
 
 import pytest
 
-from tests.support.words.by_hand import spoken
-from understudy.behavior.speech.phrasing import emphases_s, phrases
-from understudy.model import Interval, Word
+from tests.support.motion.gesture_clips import gesture
+from tests.support.words.by_hand import function, spoken
+from understudy.behavior.speech.phrasing import emphases_s, expanded_in_rhemes, phrases
+from understudy.model import Function, Interval, Word
 
 
 def later(words: tuple[Word, ...], first: int, delay_s: float) -> tuple[Word, ...]:
@@ -37,3 +38,28 @@ def test_emphases_lie_where_the_vowels_of_emphasised_words_begin() -> None:
     words = spoken("one two three", start_s=0.0, stressed=(0, 2))
     words = (words[0], replace(words[1], stressed_ratio=0.9, prominence=0.9), words[2])
     assert emphases_s(words) == pytest.approx((0.2, 1.0))
+
+
+RHEME = replace(function("information", "rheme", 1, 4), given=True)
+
+
+@pytest.mark.parametrize(
+    ("function", "asked_s"),
+    [
+        (RHEME, (0.7, 1.5)),
+        (replace(RHEME, last=2), (0.7,)),
+        (replace(RHEME, first=3), None),
+        (replace(RHEME, given=False), None),
+        (replace(RHEME, subtype="theme"), None),
+    ],
+)
+def test_a_gesture_in_a_rheme_strikes_again_on_its_later_emphases(
+    function: Function, asked_s: tuple[float, ...] | None
+) -> None:
+    """Vowels of the emphasised words 0, 1, 2 and 4 begin at .2, .6, 1.0 and 1.8 s; the stroke ends at .3 s, on the
+    second word."""
+    words = spoken("one two three four five six", start_s=0.0, stressed=(0, 1, 2, 4))
+    struck = gesture("g", 0.1, 0.5)
+    struck = replace(struck, first=1, last=1, sync=replace(struck.sync, stroke_end=0.3))
+    (found,) = expanded_in_rhemes([struck], words, [function])
+    assert found.after_strokes_s == (asked_s and pytest.approx(asked_s))

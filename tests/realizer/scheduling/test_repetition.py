@@ -73,7 +73,7 @@ def test_strokes_that_are_asked_for_are_made_and_no_others(
     asked = replace(placed, request=replace(placed.request, after_strokes_s=asked_s))
     repeats = with_repeats(asked, [2.6, 3.0], until_s).repeats
     assert [repeat.end_s for repeat in repeats] == pytest.approx(ends_s)
-    assert [repeat.amplitude for repeat in repeats] == [0.6, 0.4, 0.25, 0.25][: len(ends_s)]
+    assert [repeat.amplitude for repeat in repeats] == pytest.approx([0.6, 0.4, 0.25, 0.1625][: len(ends_s)])
 
 
 @pytest.mark.parametrize(

@@ -29,7 +29,7 @@ const FUNCTIONS = Object.freeze({
   "deixis.addressee": "the person spoken to", "deixis.inclusive": "all of us",
   "deixis.distal": "something over there", "deixis.proximal": "something here", emphasis: "a word the voice stresses",
   enumeration: "an item of a list", greeting: "a greeting", hedging: "a doubt", height: "a height", idea: "an idea",
-  inclusion: "everybody", initial_noun_phrase: "who or what it is about", initial_verb_phrase: "what is done",
+  inclusion: "everybody", information: "what is known or new", initial_noun_phrase: "who or what it is about", initial_verb_phrase: "what is done",
   intensifier: "a strong word", interrogative: "a question", "interrogative.polar": "a yes-or-no question",
   locus: "a place", mental: "a state of mind", "mental.know": "knowing", modal: "a may or must",
   "modal.obligation": "a must", negation: "a no", obligation: "a duty", parenthesis: "an aside", parting: "a goodbye",
