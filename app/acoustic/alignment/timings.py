@@ -6,6 +6,9 @@ and are left out of TextGrid and CTM.
 
     TextGrid  a tier "words", or else the only tier of intervals, or the first whose name has "word" in it; a tier
               "phones" if there is one, each phone belonging to the word its middle lies in. Empty labels are silence.
+    JSON      also the speech marks of a synthesizer: lines of {"time": 370, "type": "word", "value": "so"}, in
+              milliseconds; a word ends where the mouth closes (a mark of type "viseme" and value "sil"), else where the
+              next begins, the last one with the last mark or after a usual time.
     CTM       lines of "name channel start duration word [confidence]"; lines that begin with ";;" are comments.
 """
 
@@ -27,6 +30,9 @@ from ..pronunciation.normalisation import fold
 FORMATS = ("json", "textgrid", "ctm")
 TOLERANCE_S = 0.005
 """Times may overlap or exceed the audio's end by this much, because of rounding in other tools."""
+
+_USUAL_WORD_S = 0.3
+"""Of a word whose end no mark tells."""
 
 MOST_WORDS = 10_000
 MOST_PHONES = 1000
@@ -53,6 +59,16 @@ class _TimedWord(BaseModel):
     start_s: float | None = None
     end_s: float | None = None
     phones: Annotated[tuple[_TimedPhone, ...], FailFast(), Field(max_length=MOST_PHONES)] = ()
+
+
+class _SpeechMark(BaseModel):
+    """A mark of Amazon Polly's kind, `time` in milliseconds."""
+
+    model_config = ConfigDict(extra="ignore", frozen=True)
+
+    time: Annotated[float, Field(ge=0)]
+    type: str
+    value: str = ""
 
 
 class _TimedFiller(BaseModel):
@@ -102,9 +118,10 @@ def read_timings(content: bytes, format: str, words: tuple[Word, ...], *, durati
 def read_fillers(content: bytes, format: str, *, duration_s: float) -> tuple[Filler, ...]:  # noqa: A002
     """The fillers within the audio that the JSON of `align` tells beside its words; the other formats have none.
     `read_timings` must have read the content."""
-    if format != "json":
+    text = _decoded(content, format)
+    if format != "json" or _is_marks(text):
         return ()
-    found = _timed_words(_decoded(content, format)).fillers
+    found = _timed_words(text).fillers
     return tuple(
         Filler(each.text, Interval(each.start_s, min(each.end_s, duration_s)))
         for each in found
@@ -161,7 +178,36 @@ def _timed_words(text: str) -> _TimedWords:
         raise _unreadable("json", f"{'.'.join(map(str, first['loc']))}: {first['msg']}") from None
 
 
+def _is_marks(text: str) -> bool:
+    """Whether a JSON file has a line for each mark."""
+    first = text.strip().partition("\n")[0].strip()
+    return first.startswith("{") and first.endswith("}") and '"time"' in first
+
+
+def _from_marks(text: str) -> Iterator[_Timed]:
+    marks = [_mark(number, line) for number, line in enumerate(text.splitlines(), start=1) if line.strip()]
+    for place, mark in enumerate(marks):
+        if mark.type == "word":
+            later = (each for each in marks[place + 1 :] if each.type == "word" or each.value == "sil")
+            end_s = max((each.time / 1000 for each in marks[place + 1 :]), default=0.0)
+            end_s = end_s if end_s > mark.time / 1000 else mark.time / 1000 + _USUAL_WORD_S
+            ended = next(later, None)
+            yield _Timed(mark.value, Interval(mark.time / 1000, end_s if ended is None else ended.time / 1000))
+
+
+def _mark(number: int, line: str) -> _SpeechMark:
+    try:
+        return _SpeechMark.model_validate_json(line)
+    except ValidationError as error:
+        first = error.errors()[0]
+        where = ".".join(map(str, first["loc"]))
+        raise _unreadable("json", f"line {number} is no speech mark: {where}: {first['msg']}") from None
+
+
 def _from_json(text: str) -> Iterator[_Timed]:
+    if _is_marks(text):
+        yield from _from_marks(text)
+        return
     for word in _timed_words(text).words:
         if word.start_s is not None and word.end_s is not None:
             phones = tuple(

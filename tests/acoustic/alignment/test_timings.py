@@ -194,3 +194,32 @@ def test_a_filler_that_is_none_is_told() -> None:
     with pytest.raises(UndecodableError) as caught:
         read_timings(b'{"words": [], "fillers": [{"text": "um", "start_s": -1, "end_s": 1}]}', "json", (), duration_s=2)
     assert "fillers.0.start_s" in caught.value.message
+
+
+def _marks(*marks: tuple[int, str, str]) -> bytes:
+    """A synthesizer's speech marks: milliseconds, type, value."""
+    lines = (json.dumps({"time": time, "type": kind, "value": value, "start": 0}) for time, kind, value in marks)
+    return "\n".join(lines).encode() + b"\n"
+
+
+def test_a_synthesizers_speech_marks_are_read_a_word_ends_where_the_mouth_closes_or_the_next_begins() -> None:
+    content = _marks(
+        *((0, "sentence", "One two three"), (100, "word", "One"), (110, "viseme", "t"), (300, "word", "two")),
+        *((480, "viseme", "sil"), (700, "word", "three"), (950, "viseme", "i")),
+    )
+    words = read_timings(content, "json", _words("One two three"), duration_s=DURATION_S)
+    assert [word.interval for word in words] == [Interval(0.1, 0.3), Interval(0.3, 0.48), Interval(0.7, 0.95)]
+    assert read_fillers(content, "json", duration_s=DURATION_S) == ()
+
+
+def test_without_a_mark_after_it_the_last_word_lasts_as_usual() -> None:
+    words = read_timings(_marks((0, "word", "one"), (500, "word", "two")), "json", _words("one two"), duration_s=2.0)
+    assert [word.interval for word in words] == [Interval(0.0, 0.5), Interval(0.5, 0.8)]
+    (one,) = read_timings(_marks((100, "word", "one")), "json", _words("one"), duration_s=2.0)
+    assert one.interval == Interval(0.1, 0.4)
+
+
+def test_a_line_that_is_no_mark_is_told() -> None:
+    content = _marks((0, "word", "one")) + b'{"time": "soon", "type": "word"}\n'
+    with pytest.raises(UndecodableError, match="line 2 is no speech mark: time: Input should be a valid number"):
+        read_timings(content, "json", _words("one"), duration_s=2.0)
