@@ -44,10 +44,15 @@ Sector = tuple[str, str, str]
 
 @dataclass(frozen=True, slots=True)
 class Way:
-    """The sectors from and to which the stroke of a gesture leads (NGS §3.3); None leaves one to the gesture."""
+    """The sectors from and to which the stroke of a gesture leads (NGS §3.3), and how far out the elbow is there, in
+    degrees about the line from shoulder to wrist; None leaves each to the gesture. `tracks` are offset tracks beside
+    the gesture's own (NGS §3.4), in the words of the gesture language."""
 
     start: Sector | None = None
     end: Sector | None = None
+    start_elbow_deg: float | None = None
+    end_elbow_deg: float | None = None
+    tracks: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -96,6 +96,16 @@ def test_perform_and_script_take_a_profile_by_name_or_file(capfdbinary: Captured
     assert _run(capfdbinary, "script", *line, "--profile", "lexicon/profiles/sparing.yaml", "-o", str(script))[0] == 0
     assert _run(capfdbinary, "realize", str(script), "-o", str(motion), "--quiet")[0] == 0
     assert motion.stat().st_size > 10_000
+    told = json.loads(script.read_text())
+    for gesture in told["gestures"]:
+        gesture |= {"from": "XEP YLowerEP ZMiddle out", "to": "XOppP YUpperEP ZFar raised"}
+    script.with_name("moved.json").write_text(json.dumps(told))
+    moved = motion.with_name("moved.bvh")
+    code, _, err = _run(capfdbinary, "realize", str(script.with_name("moved.json")), "-o", str(moved))
+    assert code == 0
+    assert "XOppP YUpperEP ZFar is" in err
+    assert "cm out of reach" in err
+    assert moved.read_bytes() != motion.read_bytes()
     code, out, _ = _run(capfdbinary, "perform", *line, "--profile", "sparing")
     assert code == 0
     lexemes = [each["lexeme"] for each in json.loads(script.read_text())["gestures"] if each["kept"]]

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from ...model import Behavior, Channel, SyncPoints
 from ...model.schedule import Sector, Way
-from ..annotation.model import PathForm, Position
+from ..annotation.model import PathForm, Position, Swivel
 from .script import GestureScript, ScriptedGesture, ScriptedUnit
 
 PRIORITY = 5.0
@@ -20,6 +20,14 @@ RESTS: Mapping[str, str] = {
     "open": "ARMS_OPEN",
 }
 """The postures that have the hands rest so."""
+
+ELBOWS_DEG: Mapping[Swivel, float | None] = {
+    Swivel.TOUCH: -25.0,
+    Swivel.NORMAL: None,
+    Swivel.OUT: 30.0,
+    Swivel.RAISED: 75.0,
+}
+"""How far out the elbow of each swivel is; the normal one is where the wrist is at ease."""
 
 STANCES = ("WEIGHT_ON_LEFT_LEG", "WEIGHT_ON_RIGHT_LEG")
 """The postures of the feet."""
@@ -63,8 +71,16 @@ def _gesture(gesture: ScriptedGesture, profile: str, functions: ShownFunctions, 
         reason=gesture.reason,
         after_strokes_s=tuple(round(each.end_s - main.end_s, 3) for each in others),
         curved=gesture.path is PathForm.CURVED and not gesture.held,
-        way=Way(_sector(gesture.start), _sector(gesture.end)) if led and (gesture.start or gesture.end) else None,
+        way=_way(gesture) if led else None,
     )
+
+
+def _way(gesture: ScriptedGesture) -> Way | None:
+    start, end = gesture.start, gesture.end
+    if not (start or end or gesture.tracks):
+        return None
+    elbows_deg = (None if each is None else ELBOWS_DEG[each.swivel] for each in (start, end))
+    return Way(_sector(start), _sector(end), *elbows_deg, gesture.tracks)
 
 
 def _sector(position: Position | None) -> Sector | None:

@@ -16,7 +16,8 @@ class ScriptedGesture:
     `tag` and words `first` to `last` are what it shows; the stroke falls on `word`. It begins at `start_s`, relaxes at
     `relax_s` and is over at `end_s`, where the next of its unit begins or the hands are at rest. `start` and `end` are
     where the main stroke leads from and to, as the speaker made it once; its point of emphasis is at `emphasis_s`,
-    `amount` is its size in [0, 1]. One that is not made says why in `reason`.
+    `amount` is its size in [0, 1]. `tracks` are offset tracks that an author added (NGS §3.4), in the words of the
+    gesture language. One that is not made says why in `reason`.
     """
 
     id: str
@@ -36,6 +37,7 @@ class ScriptedGesture:
     start: Position | None = None
     end: Position | None = None
     path: PathForm = PathForm.STRAIGHT
+    tracks: tuple[str, ...] = ()
     kept: bool = True
     reason: str | None = None
 

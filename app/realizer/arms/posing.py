@@ -30,6 +30,7 @@ ARM_ROWS, WRIST_ROWS, HAND_ROWS = slice(0, 3), slice(3, 5), slice(5, 20)
 CENTRE = SectorPlace(Sideways.C, HeightSector.CC, Depth.MIDDLE)
 
 _SWIVELS: FloatArray = np.radians(np.arange(-60.0, 76.0, 7.5))
+_ASKED_WITHIN_DEG = 8.0
 _AT_EASE_DEG: FloatArray = np.array([55.0, 14.0, 45.0])
 _ALONG_FOREARM: FloatArray = np.array([0.0, 0.35, 0.7])
 _HALF_WAIST_M, _WAIST_M, _FROM_WAIST_M = 0.06, 0.10, 0.15
@@ -177,12 +178,14 @@ def _wrist_of_left(bones: ArmBones, parts: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Asked:
-    """The targets of a key: wrist position, directions of fingers and palm, and raising of the collarbone."""
+    """The targets of a key: wrist position, directions of fingers and palm, raising of the collarbone, and the swivel
+    of the elbow if one is asked for."""
 
     wrist_m: FloatArray
     finger_base: FloatArray | None
     palm: FloatArray | None
     raised: float
+    elbow_deg: float | None = None
 
 
 def _asked(skeleton: Skeleton, key: ArmKey, amplitude: float, aim_m: FloatArray | None) -> _Asked:
@@ -191,7 +194,7 @@ def _asked(skeleton: Skeleton, key: ArmKey, amplitude: float, aim_m: FloatArray 
     if aim_m is not None and key.place is not None:
         wrist_m, finger_base = _on_the_line(ArmBones.of(skeleton), aim_m, wrist_m)
         palm = _POINTING_PALM if palm is None else palm
-    return _Asked(wrist_m, finger_base, palm, key.shoulder or 0.0)
+    return _Asked(wrist_m, finger_base, palm, key.shoulder or 0.0, key.elbow_deg)
 
 
 def _solved(skeleton: Skeleton, asked: Sequence[_Asked], manner: GestureManner) -> FloatArray:
@@ -202,7 +205,8 @@ def _solved(skeleton: Skeleton, asked: Sequence[_Asked], manner: GestureManner) 
     arms = reach(bones, np.repeat(wrists_m, len(_SWIVELS), axis=1), swivel_rad=_SWIVELS, raised=raised)
     turns = _turned(arms.forearm, asked)
     crowded_m = _inside_trunk_m(skeleton, arms)
-    best = np.arange(len(asked)), np.argmin(_discomfort(arms, turns, wrists_m, crowded_m, manner), axis=1)
+    off = np.stack([_off_deg(each, manner) for each in asked])
+    best = np.arange(len(asked)), np.argmin(_discomfort(arms, turns, wrists_m, crowded_m) + off**2, axis=1)
     turn = WristAngles(turns.angles[best] + [0.0, 0.0, np.radians(manner.wrist_deg)]).clamped()
     return np.stack(
         (*(part[best] for part in (arms.collarbone, arms.upper_arm, arms.elbow)), turn.forearm, turn.hand), 1
@@ -223,18 +227,24 @@ def _turned(forearm: FloatArray, asked: Sequence[_Asked]) -> WristAngles:
     return WristAngles(angles)
 
 
-def _discomfort(
-    arms: Reach, turns: WristAngles, wrists_m: FloatArray, crowded_m: FloatArray, manner: GestureManner
-) -> FloatArray:
+def _off_deg(asked: _Asked, manner: GestureManner) -> FloatArray:
+    """How far each swivel is from the one that is asked for, or else from what the manner tends to, so that the elbow
+    is there unless there is a reason; in units that weigh what is asked for more."""
+    if asked.elbow_deg is not None:
+        return np.asarray((_SWIVELS - np.radians(asked.elbow_deg)) / np.radians(_ASKED_WITHIN_DEG))
+    return np.asarray((_SWIVELS - np.radians(manner.elbow_deg)) / np.radians(40.0))
+
+
+def _discomfort(arms: Reach, turns: WristAngles, wrists_m: FloatArray, crowded_m: FloatArray) -> FloatArray:
     """The cost of each swivel: wrist and forearm near or beyond their limits, wrist targets out of the shoulder's
-    range, a forearm too near to the trunk, and the swivel itself, so that the elbow is as the manner has it unless
-    there is a reason."""
+    range, a forearm too near to the trunk."""
     strained = np.maximum(np.abs(np.degrees(turns.angles)) - _AT_EASE_DEG, 0.0) / 30.0
     impossible = np.degrees(turns.excess) / 10.0
     missed = length(arms.wrist_m - wrists_m)[..., 0] / 0.01
     missed = missed - missed.min(axis=-1, keepdims=True)
-    cost = np.sum(strained**2 + impossible**2, axis=-1) + missed**2 + np.sum((crowded_m / 0.02) ** 2, axis=-1)
-    return np.asarray(cost + ((_SWIVELS - np.radians(manner.elbow_deg)) / np.radians(40.0)) ** 2)
+    return np.asarray(
+        np.sum(strained**2 + impossible**2, axis=-1) + missed**2 + np.sum((crowded_m / 0.02) ** 2, axis=-1)
+    )
 
 
 def _inside_trunk_m(skeleton: Skeleton, arms: Reach) -> FloatArray:

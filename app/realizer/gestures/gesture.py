@@ -144,7 +144,9 @@ class Wrist:
 @dataclass(frozen=True, slots=True)
 class ArmKey:
     """What a frame defines for one arm; None and () leave a part open. `shoulder` raises (1) or lowers (-1) the
-    collarbone, `joints` sets joints (`LowerArm`) by degrees about their x, y and z axes, as for the left arm."""
+    collarbone, `joints` sets joints (`LowerArm`) by degrees about their x, y and z axes, as for the left arm.
+    `elbow_deg` is how far the elbow is out, about the line from shoulder to wrist, where a gesture script asks for it;
+    otherwise it is where the wrist is at ease."""
 
     place: SectorPlace | None = None
     hand: HandShape | None = None
@@ -152,6 +154,7 @@ class ArmKey:
     wrist: Wrist | None = None
     shoulder: float | None = None
     joints: tuple[tuple[str, tuple[float, float, float]], ...] = ()
+    elbow_deg: float | None = None
 
 
 @dataclass(frozen=True, slots=True)

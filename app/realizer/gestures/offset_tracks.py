@@ -5,14 +5,18 @@ TRACK curved UpperArm 0 -10 0       the stroke's path is an arc
 TRACK circling LowerArm 0 12 0 2    a progressive: the forearm goes round, twice in a stroke
 """
 
+import re
 from collections.abc import Iterable, Iterator
 from enum import StrEnum
 
 from .gesture import OffsetTrack, TrackForm
 from .specifiers import number, one_of
-from .statements import LocatedMistake, Statement
+from .statements import LocatedMistake, Statement, Word
 
 MOST_DEGREES, MOST_PHASE_DEG, FEWEST_TURNS, MOST_TURNS = 45.0, 360.0, 0.25, 6.0
+
+
+_NUMBER = re.compile(r"[+-]?\d+(\.\d*)?")
 
 
 class TrackJoint(StrEnum):
@@ -34,6 +38,20 @@ def offset_tracks(header: Iterable[Statement], wrong: list[LocatedMistake]) -> t
     """The tracks of a gesture; mistakes are appended to `wrong`."""
     said = (statement for statement in header if statement.readable and statement.keyword.text == "TRACK")
     return tuple(track for statement in said for track in _track(statement, wrong))
+
+
+def track_of(told: str) -> OffsetTrack:
+    """The track of a line without its keyword, such as "held chest 0 12 0", as gesture scripts have it. Raises
+    ValueError with everything that is wrong."""
+    words = [Word(text, 1, 1) for text in told.split()]
+    numbers = words[2:]
+    if not 3 <= len(numbers) <= 5 or not all(_NUMBER.fullmatch(word.text) for word in numbers):
+        raise ValueError(f"{told!r} is no track; give form, joint and three angles, as in 'held chest 0 12 0'")
+    wrong: list[LocatedMistake] = []
+    found = tuple(_track(Statement(Word("TRACK", 1, 1), tuple(words[:2]), tuple(numbers)), wrong))
+    if wrong:
+        raise ValueError(f"{told!r}: {'; '.join(mistake.message for mistake in wrong)}")
+    return found[0]
 
 
 def _track(statement: Statement, wrong: list[LocatedMistake]) -> Iterator[OffsetTrack]:

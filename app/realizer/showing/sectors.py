@@ -17,6 +17,7 @@ from ..arms.wrist_paths import amplitude
 from ..gestures.gesture import ArmKey, Clip, Depth, HeightSector, SectorPlace, Sideways
 from ..gestures.gesture_plan import PlacedGesture
 from ..gestures.gesture_space import SHOULDERS_ABOVE_HIPS_M, sector_m
+from ..gestures.offset_tracks import track_of
 from .measures import begun_in_time
 
 ARM_M = 0.53
@@ -28,10 +29,15 @@ _CENTRE = SectorPlace(Sideways.C, HeightSector.CC, Depth.MIDDLE)
 
 
 def led(placed: PlacedGesture) -> PlacedGesture:
-    """The gesture with its stroke from and to the sectors of its request; as it is where it points at a target, and
-    where the arm is given by joint angles."""
+    """The gesture with its stroke from and to the sectors of its request, and with the tracks that are added to its
+    own; not led where it points at a target, and where the arm is given by joint angles."""
     way = placed.request.way
-    if way is None or placed.aim_m is not None or not _is_placed(placed.clip):
+    if way is None:
+        return placed
+    if way.tracks:
+        tracks = (*placed.clip.tracks, *map(track_of, way.tracks))
+        placed = replace(placed, clip=replace(placed.clip, tracks=tracks))
+    if way.start is way.end is None or placed.aim_m is not None or not _is_placed(placed.clip):
         return placed
     clip = placed.clip
     for side in placed.arms:
@@ -42,7 +48,7 @@ def led(placed: PlacedGesture) -> PlacedGesture:
 
 def led_decisions(asked: Way | None, placed: PlacedGesture) -> Iterator[str]:
     """What of the places asked for a gesture does not show, in words."""
-    if asked is None:
+    if asked is None or asked.start is asked.end is None:
         return
     if placed.aim_m is not None or not _is_placed(placed.clip):
         why = "it points at a target" if placed.aim_m is not None else "its arm is given by joint angles"
@@ -91,7 +97,8 @@ def _with_arm(clip: Clip, side: Hand, way: Way, size: float) -> Clip:
             continue
         is_edge = any(key.time_s == time_s for time_s, _sector in edges)
         place = _at(clip, side, key.time_s) if is_edge else arm.place
-        moved = _moved(arm, place, _between(start_m, end_m, _share(clip, key.time_s)), size)
+        share = _share(clip, key.time_s)
+        moved = replace(_moved(arm, place, _between(start_m, end_m, share), size), elbow_deg=_elbow_deg(way, share))
         keys.append(replace(key, left=moved) if side is Hand.LEFT else replace(key, right=moved))
     return replace(clip, keys=tuple(keys))
 
@@ -107,6 +114,14 @@ def _between(start_m: FloatArray | None, end_m: FloatArray | None, share: float)
     zero = np.zeros(3)
     begun, ended = (zero if each is None else each for each in (start_m, end_m))
     return np.asarray((1 - share) * begun + share * ended)
+
+
+def _elbow_deg(way: Way, share: float) -> float | None:
+    """Where the elbow is at a share of the stroke; an end that leaves it to the wrist counts as in line with the
+    shoulder."""
+    if way.start_elbow_deg is way.end_elbow_deg is None:
+        return None
+    return (1 - share) * (way.start_elbow_deg or 0.0) + share * (way.end_elbow_deg or 0.0)
 
 
 def _at(clip: Clip, side: Hand, time_s: float) -> SectorPlace | None:

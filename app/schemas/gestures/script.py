@@ -18,9 +18,11 @@ from ...profiles.annotation.model import PathForm, Position, Swivel
 from ...profiles.annotation.spans import DEPTHS, HEIGHTS, SIDEWAYS
 from ...profiles.generation.behaviors import behaviors_of
 from ...profiles.generation.script import GestureScript, ScriptedGesture, ScriptedUnit
+from ...realizer.gestures.offset_tracks import track_of
 from ..options import Seed
 
 MOST_GESTURES = 5000
+MOST_TRACKS = 20
 DECIMALS = 3
 LONGEST_S = 3600.0
 
@@ -47,7 +49,14 @@ def _known() -> str:
     return "; ".join(" ".join(words) for words in (SIDEWAYS, HEIGHTS, DEPTHS))
 
 
+def _track(told: str) -> str:
+    """Checks an offset track, in the words of the gesture language without its keyword."""
+    track_of(told)
+    return told
+
+
 _Position = Annotated[str, AfterValidator(_sectors)]
+_Track = Annotated[str, AfterValidator(_track)]
 
 
 def _position(told: str | None) -> Position | None:
@@ -104,6 +113,7 @@ class ScriptGestureForm(_Form):
     start: _Position | None = Field(default=None, alias="from")
     end: _Position | None = Field(default=None, alias="to")
     path: PathForm = PathForm.STRAIGHT
+    tracks: Annotated[tuple[_Track, ...], Field(max_length=MOST_TRACKS)] = ()
     kept: bool = True
     reason: str | None = None
 
@@ -238,7 +248,7 @@ def _gesture_form(gesture: ScriptedGesture) -> dict[str, Any]:
         name: None if (time_s := getattr(gesture, name)) is None else round(time_s, DECIMALS)
         for name in ("start_s", "relax_s", "end_s", "emphasis_s", "amount")
     }
-    names = ("id", "lexeme", "hand", "tag", "first", "last", "word", "held", "path", "kept", "reason")
+    names = ("id", "lexeme", "hand", "tag", "first", "last", "word", "held", "path", "tracks", "kept", "reason")
     return {
         **{name: getattr(gesture, name) for name in names},
         **times,

@@ -88,3 +88,52 @@ def test_a_stroke_without_preparation_begins_where_the_one_before_ended() -> Non
 def test_what_is_no_place_is_refused(told: str) -> None:
     with pytest.raises(InputError, match=r"gestures\.0\.from: .*is no place; give one sector each of XEP"):
         read_script(_script(_gesture() | {"from": told}))
+
+
+def _elbow_m(played: Realized) -> FloatArray:
+    """The right elbow at the end of the stroke, outwards, above the hips, away."""
+    skeleton, motion = Skeleton.standing(), played.motion
+    frame = int(np.searchsorted(motion.body.times_s, motion.realized["g1"].stroke_end or 0.0))
+    at_m, _turned = forward(skeleton, motion.body.rotations[[frame]], motion.body.hips_m[[frame]])
+    elbow_m = at_m[0, skeleton.index["rightLowerArm"]] - at_m[0, skeleton.index["hips"]]
+    return np.asarray(elbow_m * [-1, 1, 1])
+
+
+def test_the_elbow_swivels_as_the_script_says_and_the_wrist_stays(understudy: Understudy) -> None:
+    """NGS §3.1: hand and arm at both ends of a stroke are told by three sectors and the arm's swivel."""
+    place = "XC YCC ZMiddle"
+    played = {
+        swivel: _played(understudy, _script(_gesture() | {"from": f"{place} {swivel}", "to": f"{place} {swivel}"}))
+        for swivel in ("touch", "normal", "out", "raised")
+    }
+    touch_m, _normal_m, out_m, raised_m = map(_elbow_m, played.values())
+    assert out_m[0] > touch_m[0] + 0.05
+    assert raised_m[1] > out_m[1] + 0.04
+    for each in played.values():
+        assert np.linalg.norm(_wrists_m(each)[1] - _sector_m(place)) < NEAR_M
+
+
+def test_offset_tracks_of_a_script_are_added_to_the_gestures_own(understudy: Understudy) -> None:
+    plain = _played(understudy, _script(_gesture()))
+    turned = _played(understudy, _script(_gesture(tracks=["held chest 0 20 0"])))
+    chest = Skeleton.standing().index["chest"]
+    frame = int(np.searchsorted(plain.motion.body.times_s, plain.motion.realized["g1"].stroke_end or 0.0))
+    one, other = (each.motion.body.rotations[frame, chest] for each in (plain, turned))
+    assert np.degrees(2 * np.arccos(min(1.0, abs(float(one @ other))))) > 8
+    assert not [each for each in turned.motion.decisions if each.action == "placed"]
+
+
+@pytest.mark.parametrize(
+    ("track", "told"),
+    [
+        ("held chest 0 12", "'held chest 0 12' is no track; give form, joint and three angles"),
+        ("held chset 0 12 0", "chset"),
+        ("held chest 0 60 0", "60 is outside -45 … 45°"),
+        ("circling Hand 0 12 0", "says its turns after the angles"),
+    ],
+)
+def test_a_track_that_cannot_be_read_is_told(track: str, told: str) -> None:
+    with pytest.raises(InputError) as wrong:
+        read_script(_script(_gesture(tracks=[track])))
+    assert "gestures.0.tracks.0" in wrong.value.message
+    assert told in wrong.value.message
