@@ -79,6 +79,7 @@ __all__ = [
     "perform",
     "realize",
     "realize_bml",
+    "realize_by_model",
     "say",
     "write_bml",
     "write_bml_json",
@@ -104,6 +105,7 @@ if TYPE_CHECKING:
     from .library.hearing import AcousticModels, align, make_reference
     from .library.language import find_functions
     from .library.motion import MotionFormat, RealizedSchedule, Realizer, realize, realize_bml, write_motion
+    from .library.motion_models import realize_by_model
     from .library.performing import analyze, load, perform, say
     from .library.writing import (
         write_bml,
@@ -164,6 +166,7 @@ else:
         "library.writing",
         "library.performing",
         "library.motion",
+        "library.motion_models",
         "realizer.body.motion",
     )
     """The modules searched for a name, the cheapest to import first."""

@@ -28,6 +28,8 @@ PART_BYTES: Mapping[str, int] = MappingProxyType(
         "profile": 256 << 10,
         "bml": 2 << 20,
         "avatar": 32 << 20,
+        "motion_model": 64,
+        "scenario": 64,
         "json": 512 << 10,
         "live": 256 << 10,
     }

@@ -38,7 +38,7 @@ FORM_FIELDS: Mapping[Task, tuple[str, ...]] = {
     Task.PERFORM: (
         *("audio", "text", "options", "words", "functions", "direction", "edits", "profile", "reference", "rules"),
     ),
-    Task.REALIZE: ("bml", "audio", "avatar", "options"),
+    Task.REALIZE: ("bml", "audio", "avatar", "motion_model", "scenario", "options"),
     Task.GESTURE_POSE: ("avatar", "options"),
 }
 """The tasks that take a form."""

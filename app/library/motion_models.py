@@ -1,12 +1,17 @@
 """Motion from data: models learnt from recordings with motion, and motion made by them (docs/motion-models.md)."""
 
+import os
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any, Literal
 
+from ..acoustic.contours import contours_of
+from ..acoustic.signal.decoding import decode
 from ..acoustic.stage import audio_limits
-from ..errors import InputError, shown
-from ..model import AffectTrack, Analysis
+from ..errors import InputError, did_you_mean, shown
+from ..model import AffectTrack, Analysis, Performance
+from ..models import Understudy
 from ..motion_models.affect import LinearAffectModel
 from ..motion_models.model import SCENARIOS, MotionModel, Scenario, is_model
 from ..motion_models.pairs import SOUNDS, Pair, PairFile, Voice, heard_voice, read_pair
@@ -18,24 +23,35 @@ from ..prosody_gestures.trellis import EVERYTHING, Search
 from ..realization import PreparedSchedule, RealizedSchedule, Realizer, realize_prepared
 from ..resources import resource_folder
 from ..schemas.affect import read_affect_track
+from ..schemas.options import check_options, check_realize_options
 from ..settings import Settings, read_settings
+from .sources import AffectName, FileSource, content_of
 
 __all__ = [
+    "DEFAULT_MODEL",
+    "DEFAULT_SCENARIO",
     "Learning",
     "MotionModel",
     "Moving",
     "Pair",
     "Scores",
     "Search",
+    "motion_model_named",
     "moving_by",
+    "moving_by_recording",
     "read_motion_model",
     "read_pairs",
+    "realize_by_model",
     "realize_moving",
     "scenario_named",
     "score_motion_models",
     "train_motion_model",
 ]
 
+DEFAULT_MODEL = "default"
+"""The name of the model that is shipped: learnt from our own performances (models/motion)."""
+
+DEFAULT_SCENARIO = "S1"
 AFFECT = ".affect.csv"
 MOST_MISTAKES = 20
 
@@ -124,12 +140,28 @@ def score_motion_models(
 
 
 def read_motion_model(path: str) -> MotionModel:
-    """The model in a file. Raises InputError `motion_model`."""
+    """The model in a file, or the shipped one by the name `DEFAULT_MODEL`. Raises InputError `motion_model`."""
+    if path == DEFAULT_MODEL:
+        return MotionModel.load(_shipped())
     try:
         return MotionModel.load(Path(path))
     except OSError as error:
         message = f"{path}: cannot be read: {error.strerror}"
         raise InputError("motion_model", message, field="motion_model") from None
+
+
+def motion_model_named(name: str, settings: Settings) -> MotionModel:
+    """The shipped model, or that of an author's `motion/NAME.npz`, by its name. Raises InputError `motion_model`."""
+    own = [path for folder in settings.lexicon_folders for path in sorted((folder / "motion").glob("*.npz"))]
+    known = {DEFAULT_MODEL: _shipped(), **{path.stem: path for path in own}}
+    if name not in known:
+        message = f"no motion model is called {shown(name)}{did_you_mean(name, known)}; there are {', '.join(known)}"
+        raise InputError("motion_model", message, field="motion_model")
+    return MotionModel.load(known[name])
+
+
+def _shipped() -> Path:
+    return resource_folder("models") / "motion" / f"{DEFAULT_MODEL}.npz"
 
 
 def scenario_named(name: str) -> Scenario:
@@ -147,6 +179,42 @@ def moving_by(
     assert analysis.heard is not None, "a recording is heard"
     contours = analysis.heard.contours
     return Moving(model, heard_voice(contours.energy_db, contours.f0_hz, affect, _estimator()), scenario, search)
+
+
+def moving_by_recording(
+    model: MotionModel, audio: bytes, settings: Settings, scenario: Scenario, affect: AffectTrack | None = None
+) -> Moving:
+    """The motion of a recording that nobody has analysed by a model. Raises as the decoding of sound does."""
+    sound, _ = decode(audio, audio_limits(settings))
+    contours = contours_of(sound)
+    return Moving(model, heard_voice(contours.energy_db, contours.f0_hz, affect, _estimator()), scenario)
+
+
+def realize_by_model(
+    models: Understudy,
+    performance: Performance,
+    audio: FileSource,
+    *,
+    model: FileSource = DEFAULT_MODEL,
+    scenario: str = DEFAULT_SCENARIO,
+    affect: AffectName | Sequence[float] | Sequence[Sequence[float]] | None = None,
+    fps: Literal[30, 60] = 60,
+    tail_s: float = 0.0,
+) -> RealizedSchedule:
+    """The motion of a performance whose arms, trunk and head move as in a motion model's recordings, driven by the
+    voice in `audio` (docs/motion-models.md).
+
+    `model` is what `understudy motion-model train` wrote, by name or content, or "default", the shipped one. `scenario`
+    is S1 to S6 (AHG Table 1) or RTS; `affect` replaces the one estimated from the voice. Raises InputError
+    `motion_model`, `value_wrong`, and as the decoding of sound does.
+    """
+    checked = check_realize_options({"fps": fps, "tail_s": tail_s})
+    given: dict[str, Any] = {} if affect is None else {"affect": affect}
+    learnt = MotionModel.read(model, "model") if isinstance(model, bytes) else read_motion_model(os.fspath(model))
+    named, track = scenario_named(scenario), check_options(given).affect
+    moving = moving_by_recording(learnt, content_of(audio), models.acoustic.settings, named, track)
+    prepared = PreparedSchedule.of(performance)
+    return realize_moving(models.realizer, prepared, moving, frame_rate_hz=checked.fps, tail_s=checked.tail_s)
 
 
 def realize_moving(

@@ -3,7 +3,7 @@ one.
 
 Units move the joints that the model has learnt; all others, eyes, face, lips, legs and breath among them, move as they
 are realized. At the ends of the recording motion goes over from the realized one and back, so that lines can follow
-each other.
+each other. Hands and forearms are kept out of the body and each other, for people who were recorded have other bodies.
 """
 
 from collections.abc import Sequence
@@ -14,6 +14,7 @@ import numpy as np
 from ..model import Behavior, Channel, FloatArray, Schedule
 from ..prosody_gestures.semi_markov import FRAME_S, Segment
 from ..prosody_gestures.trellis import EVERYTHING, Search
+from ..realizer.arms.collisions import resolve_collisions
 from ..realizer.body.motion import BodyMotion, Decision, Motion
 from ..realizer.body.skeleton import Skeleton
 from ..realizer.geometry.rotations import nearest_sign, normalized, slerp
@@ -73,4 +74,6 @@ def laid_over(motion: Motion, moved: UnitMotion, skeleton: Skeleton) -> Motion:
     usual = rotations[places[:, None], at]
     shown = nearest_sign(resampled(track, times_s[places]), usual)
     rotations[places[:, None], at] = normalized(slerp(usual, shown, eased))
-    return replace(motion, body=BodyMotion(motion.body.times_s, rotations, motion.body.hips_m))
+    body = BodyMotion(motion.body.times_s, rotations, motion.body.hips_m)
+    body, moved_out = resolve_collisions(skeleton, body)
+    return replace(motion, body=body, decisions=(*motion.decisions, *moved_out))

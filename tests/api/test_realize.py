@@ -7,7 +7,9 @@ from pathlib import Path
 
 import pytest
 from fastapi.testclient import TestClient
+from httpx import Response
 
+import understudy as package
 from tests.cli.test_realize import BEAT
 from tests.support.bml.bml_records import without_record
 from understudy.api.application import create_app
@@ -122,3 +124,28 @@ def test_every_mistake_is_a_problem_that_names_it(
 def test_the_library_of_gestures_is_listed(client: TestClient) -> None:
     listed = client.get("/gestures").json()["gestures"]
     assert any("BEAT" in gesture["categories"] for gesture in listed)
+
+
+def _by_model(client: TestClient, bml: bytes, *, audio: bool = True, **fields: str) -> Response:
+    files = {"bml": ("line.bml", bml), **({"audio": ("line.flac", AUDIO)} if audio else {})}
+    accept = {"Accept": "text/x-bvh"}
+    return client.post("/realize", files=files, data={"options": json.dumps({"fps": 30}), **fields}, headers=accept)
+
+
+def test_a_motion_model_moves_the_body_to_the_recording(client: TestClient, understudy: Understudy) -> None:
+    """As the library does by the same model; what is wrong is told by its field."""
+    performance = perform(understudy, Line(AUDIO, TEXT), Options())
+    bml = write_bml(performance)
+    answer = _by_model(client, bml, motion_model="default", scenario="S4")
+    assert answer.status_code == 200, answer.text
+    moved = package.realize_by_model(understudy, performance, AUDIO, scenario="S4", fps=30)
+    assert answer.content == package.write_motion(understudy, moved, "bvh")
+    assert answer.content != _by_model(client, bml).content
+    for wrong, field, told in (
+        (_by_model(client, bml, motion_model="defualt"), "motion_model", "did you mean 'default'"),
+        (_by_model(client, bml, motion_model="default", scenario="S9"), "scenario", "give one of S1"),
+        (_by_model(client, bml, audio=False, motion_model="default"), "audio", "to a recording's voice"),
+    ):
+        assert wrong.status_code == 422
+        assert wrong.json()["field"] == field
+        assert told in wrong.json()["detail"]

@@ -69,6 +69,20 @@ def test_a_line_is_performed_by_its_units(model: Path, tmp_path: Path, capsys: C
     assert len(moved.values) == len(ordinary.values)
 
 
+def test_the_shipped_model_says_what_it_is_and_moves_a_line(tmp_path: Path, capsys: Captured) -> None:
+    """Without any recording of people; hands stay out of the body."""
+    shipped = Path("models/motion/default.npz")
+    assert shipped.stat().st_size < 2_000_000
+    assert MotionModel.load(shipped).about.startswith("our own performed motion, said by synthetic voices: 10 kinds")
+    out = tmp_path / "by_model.bvh"
+    line = ["perform", AUDIO, "--text-file", TEXT, "-o", str(tmp_path / "x.bml"), "--skeleton", "vrm"]
+    assert main([*line, "--realize", str(out), "--motion-model", "default", "--scenario", "S4", "--fps", "30"]) == 0
+    assert "cm inside something" not in capsys.readouterr().err
+    moved = motion(out)
+    forearm = moved.rotations([joint.name for joint in moved.joints].index("leftLowerArm"))
+    assert np.ptp(forearm[:, 0, 0]) > 0.1
+
+
 @pytest.mark.parametrize("scenario", ["S2", "S3", "S6", "RTS"])
 def test_scenarios_can_be_chosen(model: Path, tmp_path: Path, scenario: str) -> None:
     out, other = tmp_path / "one.bvh", tmp_path / "other.bvh"

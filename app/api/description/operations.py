@@ -131,6 +131,15 @@ _REALIZE = Operation(
                 "bml": {**FILE, "description": _BML["description"]},
                 "audio": {**FILE, "description": "The recording of its speech, for lips and words."},
                 "avatar": {**FILE, "description": "Your own GLB or VRM, to wear the motion in GLB."},
+                "motion_model": {
+                    "type": "string",
+                    "description": "The motion model that moves arms, trunk and head to the recording, by name: "
+                    "`default`, or the NAME of a `motion/NAME.npz` in the service's own lexicon.",
+                },
+                "scenario": {
+                    "type": "string",
+                    "description": "What drives the motion model: `S1` to `S6`, or `RTS`. Omitted: `S1`.",
+                },
                 "options": reference("RealizeOptions"),
             },
             {"bml": _BML_EXAMPLE, "options": {"fps": 30}},

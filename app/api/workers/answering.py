@@ -10,8 +10,24 @@ from types import MappingProxyType
 from ...authoring.rule_edits import Edits, rules_wrong, with_edits
 from ...errors import AuthoringError, InputError, UnsupportedFormatError
 from ...library.language import find_functions
-from ...library.motion import AvatarOptions, BmlInput, prepare_schedule, realize_prepared, write_realized
+from ...library.motion import (
+    AvatarOptions,
+    BmlInput,
+    PreparedSchedule,
+    Realized,
+    prepare_schedule,
+    realize_prepared,
+    write_realized,
+)
 from ...library.motion_checks import require_writer
+from ...library.motion_models import (
+    DEFAULT_MODEL,
+    DEFAULT_SCENARIO,
+    motion_model_named,
+    moving_by_recording,
+    realize_moving,
+    scenario_named,
+)
 from ...library.performing import PerformedLine, perform_line
 from ...library.writing import write_bml_files
 from ...model import Line, Notice
@@ -120,6 +136,8 @@ class _Asked:
     question: RealizeOptions
     avatar: bytes | None = None
     audio: AudioFile | None = None
+    motion_model: str | None = None
+    scenario: str = DEFAULT_SCENARIO
 
 
 def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
@@ -142,13 +160,35 @@ def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer,
     )
     limits = understudy.acoustic.settings.motion_limits
     limits.check(staged.schedule, frame_rate_hz=question.fps, tail_s=question.tail_s)
-    physics = understudy.acoustic.settings.physics if question.physics is None else question.physics
-    realized = realize_prepared(realizer, staged, frame_rate_hz=question.fps, tail_s=question.tail_s, physics=physics)
+    realized = _moved_by_model(understudy, asked, staged) if asked.motion_model else _moved(understudy, asked, staged)
     wearer = AvatarOptions(question.skeleton, asked.avatar)
     files = replace(question.files, audio=asked.audio)
     body = write_realized(realized, realizer, MOTION_TYPES[media_type], wearer, files)
     limits.check_content(body)
     return Answer(media_type, _headers(realized.motion.notices)), body
+
+
+def _moved(understudy: Understudy, asked: _Asked, staged: PreparedSchedule) -> Realized:
+    question = asked.question
+    physics = understudy.acoustic.settings.physics if question.physics is None else question.physics
+    return realize_prepared(
+        understudy.realizer, staged, frame_rate_hz=question.fps, tail_s=question.tail_s, physics=physics
+    )
+
+
+def _moved_by_model(understudy: Understudy, asked: _Asked, staged: PreparedSchedule) -> Realized:
+    """The motion by a motion model, which hears the recording. Raises InputError `motion_model`, `value_wrong`,
+    `field_missing`."""
+    question, settings = asked.question, understudy.acoustic.settings
+    if asked.sheet.audio is None:
+        message = "the field audio is missing; a motion model moves a body to a recording's voice"
+        raise InputError("field_missing", message, field="audio")
+    if question.physics:
+        message = "physics: a motion model plays recorded motion; leave one of the two out"
+        raise InputError("value_wrong", message, field="physics")
+    model = motion_model_named(asked.motion_model or DEFAULT_MODEL, settings)
+    moving = moving_by_recording(model, asked.sheet.audio, settings, scenario_named(asked.scenario))
+    return realize_moving(understudy.realizer, staged, moving, frame_rate_hz=question.fps, tail_s=question.tail_s)
 
 
 def _asked(understudy: Understudy, job: Job, content: bytes) -> _Asked:
@@ -165,7 +205,9 @@ def _asked(understudy: Understudy, job: Job, content: bytes) -> _Asked:
     question = read_realize_options(parts["options"]) if "options" in parts else RealizeOptions()
     sheet = BmlInput(parts["bml"], Path(form["bml"].file_name or "bml"), parts.get("audio"), limits)
     name = PurePath(form["audio"].file_name or "").name if "audio" in form else ""
-    return _Asked(sheet, question, parts.get("avatar"), AudioFile(name, parts["audio"]) if name else None)
+    audio = AudioFile(name, parts["audio"]) if name else None
+    model, scenario = (form[name].text if name in form else None for name in ("motion_model", "scenario"))
+    return _Asked(sheet, question, parts.get("avatar"), audio, model, scenario or DEFAULT_SCENARIO)
 
 
 def _understood(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
