@@ -104,6 +104,11 @@ def test_it_is_saved_and_opened_as_the_same_file(editor: Page, tmp_path: Path) -
         editor.click("#gesture-save")
     assert download.value.suggested_filename == "stop_there.gesture"
     assert Path(download.value.path()).read_text(encoding="utf-8") == STOP
+    written = STOP + "# Written last.\n"
+    editor.fill("#gesture-text", written)
+    with editor.expect_download() as download:
+        editor.click("#gesture-save")
+    assert Path(download.value.path()).read_text(encoding="utf-8") == written, "before anybody has checked it"
 
 
 def test_what_makes_no_sense_cannot_be_chosen(editor: Page) -> None:

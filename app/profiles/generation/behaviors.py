@@ -79,8 +79,11 @@ def _way(gesture: ScriptedGesture) -> Way | None:
     start, end = gesture.start, gesture.end
     if not (start or end or gesture.tracks):
         return None
-    elbows_deg = (None if each is None else ELBOWS_DEG[each.swivel] for each in (start, end))
-    return Way(_sector(start), _sector(end), *elbows_deg, gesture.tracks)
+    return Way(_sector(start), _sector(end), _elbow_deg(start), _elbow_deg(end), gesture.tracks)
+
+
+def _elbow_deg(position: Position | None) -> float | None:
+    return None if position is None else ELBOWS_DEG[position.swivel]
 
 
 def _sector(position: Position | None) -> Sector | None:

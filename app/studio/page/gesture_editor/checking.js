@@ -27,6 +27,9 @@ export const MOTION = slice(/** @type {Readonly<{ gesture: GestureValues, level:
 /** The gestures that were checked last: from the text that the author wrote or opened, or by their values. */
 const SOURCE = slice(/** @type {Readonly<{ gestures: readonly GestureValues[], checked: CheckedGestures }> | null} */ (null));
 
+/** What the author writes and nobody has checked yet; null if that is nothing. */
+export const TYPED = slice(/** @type {string | null} */ (null));
+
 const JSON_TYPE = "application/json";
 
 /**
@@ -71,6 +74,9 @@ async function updated(store, service, isLatest) {
 export async function takeText(store, service, asked) {
   try {
     const checked = await check(service, asked);
+    if ("text" in asked && asked.text === store.get(TYPED)) {
+      store.set(TYPED, null);
+    }
     const { gestures } = checked;
     if (checked.mistakes.length > 0 || gestures.length === 0) {
       store.set(CHECKED, checked);
@@ -83,6 +89,24 @@ export async function takeText(store, service, asked) {
     store.set(CHECKED, checked);
   } catch (error) {
     store.set(PROBLEM, problemOf(error));
+  }
+}
+
+/**
+ * The text of what is edited now, whether it was checked since the last change or not; null if nobody can say.
+ *
+ * @param {Store} store
+ * @param {Service} service
+ */
+export async function textNow(store, service) {
+  const { gestures } = store.get(EDITED);
+  const source = store.get(SOURCE);
+  try {
+    const last = source?.gestures === gestures ? (store.get(CHECKED) ?? source.checked) : await check(service, { gestures });
+    return store.get(TYPED) ?? last.text;
+  } catch (error) {
+    store.set(PROBLEM, problemOf(error));
+    return null;
   }
 }
 

@@ -2,7 +2,7 @@
 
 import { el, labelled, readOut } from "../dom.js";
 import { goTo } from "../text_place.js";
-import { takeText } from "./checking.js";
+import { takeText, TYPED } from "./checking.js";
 import { CHECKED } from "./gestures.js";
 
 /** @import { CheckedGestures } from "understudy-client" */
@@ -21,6 +21,7 @@ export function languageText(store, service) {
   let timer = 0;
   typed.addEventListener("input", () => {
     clearTimeout(timer);
+    store.set(TYPED, typed.value);
     timer = window.setTimeout(() => void takeText(store, service, { text: typed.value }), QUIET_MS);
   });
   store.watch(CHECKED, (checked) => {

@@ -3,8 +3,8 @@
 import { el, fileButton, labelled } from "../dom.js";
 import { problemOf } from "../service/service.js";
 import { PROBLEM } from "../state/performed.js";
-import { takeText } from "./checking.js";
-import { ChangeGestures, CHECKED, EDITED, FIRST, FRAME, gestureOf } from "./gestures.js";
+import { takeText, textNow } from "./checking.js";
+import { ChangeGestures, EDITED, FIRST, FRAME, gestureOf } from "./gestures.js";
 
 /** @import { Gestures } from "understudy-client" */
 /** @import { Service } from "../service/service.js" */
@@ -26,7 +26,7 @@ export function tools(store, service) {
     }
   });
   const fresh = el("button", { type: "button", id: "gesture-new", click: () => begin(store) }, ["New"]);
-  const save = el("button", { type: "button", id: "gesture-save", class: "primary", click: () => download(store) }, ["Save"]);
+  const save = el("button", { type: "button", id: "gesture-save", class: "primary", click: () => void download(store, service) }, ["Save"]);
   return el("div", { class: "tools inline", role: "toolbar", "aria-label": "Gesture files" }, [fresh, open, labelled("From the library", library), names, save]);
 }
 
@@ -50,11 +50,14 @@ async function fill(store, service, names) {
   }
 }
 
-/** @param {Store} store */
-function download(store) {
-  const checked = store.get(CHECKED);
-  if (checked) {
-    const url = URL.createObjectURL(new Blob([checked.text], { type: "text/plain" }));
+/**
+ * @param {Store} store
+ * @param {Service} service
+ */
+async function download(store, service) {
+  const text = await textNow(store, service);
+  if (text !== null) {
+    const url = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
     el("a", { href: url, download: `${gestureOf(store.get(EDITED)).name}.gesture` }).click();
     URL.revokeObjectURL(url);
   }
