@@ -51,7 +51,8 @@ def test_a_folder_teaches_a_model(pairs: Path, model: Path, capsys: Captured) ->
 
 
 def test_a_line_is_performed_by_its_units(model: Path, tmp_path: Path, capsys: Captured) -> None:
-    """Arms move as in the recordings, where the right one always hangs; legs do as usual."""
+    """Arms move as in the recordings, where the right one always hangs, but for a hand's breadth out of the leg; legs
+    do as usual."""
     out, usual = tmp_path / "by_model.bvh", tmp_path / "usual.bvh"
     line = ["perform", AUDIO, "--text-file", TEXT, "-o", str(tmp_path / "x.bml"), "--skeleton", "vrm"]
     assert main([*line, "--realize", str(out), "--motion-model", str(model)]) == 0
@@ -61,7 +62,7 @@ def test_a_line_is_performed_by_its_units(model: Path, tmp_path: Path, capsys: C
     names = [joint.name for joint in moved.joints]
     middle = slice(60, -60)
     hanging = moved.rotations(names.index("rightUpperArm"))[middle, :, 0]
-    assert hanging == pytest.approx(np.tile([0, 1, 0], (len(hanging), 1)), abs=0.02), "its x axis points up"
+    assert hanging == pytest.approx(np.tile([0, 1, 0], (len(hanging), 1)), abs=0.15), "its x axis points up"
     forearm = moved.rotations(names.index("leftLowerArm"))[middle]
     assert np.ptp(forearm[:, 0, 0]) > 0.3, "the left forearm bends"
     leg = names.index("leftUpperLeg")

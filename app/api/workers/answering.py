@@ -20,14 +20,6 @@ from ...library.motion import (
     write_realized,
 )
 from ...library.motion_checks import require_writer
-from ...library.motion_models import (
-    DEFAULT_MODEL,
-    DEFAULT_SCENARIO,
-    motion_model_named,
-    moving_by_recording,
-    realize_moving,
-    scenario_named,
-)
 from ...library.performing import PerformedLine, perform_line
 from ...library.writing import write_bml_files
 from ...model import Line, Notice
@@ -137,7 +129,7 @@ class _Asked:
     avatar: bytes | None = None
     audio: AudioFile | None = None
     motion_model: str | None = None
-    scenario: str = DEFAULT_SCENARIO
+    scenario: str | None = None
 
 
 def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
@@ -179,6 +171,8 @@ def _moved(understudy: Understudy, asked: _Asked, staged: PreparedSchedule) -> R
 def _moved_by_model(understudy: Understudy, asked: _Asked, staged: PreparedSchedule) -> Realized:
     """The motion by a motion model, which hears the recording. Raises InputError `motion_model`, `value_wrong`,
     `field_missing`."""
+    from ...library import motion_models  # imported late: few requests need it
+
     question, settings = asked.question, understudy.acoustic.settings
     if asked.sheet.audio is None:
         message = "the field audio is missing; a motion model moves a body to a recording's voice"
@@ -186,9 +180,12 @@ def _moved_by_model(understudy: Understudy, asked: _Asked, staged: PreparedSched
     if question.physics:
         message = "physics: a motion model plays recorded motion; leave one of the two out"
         raise InputError("value_wrong", message, field="physics")
-    model = motion_model_named(asked.motion_model or DEFAULT_MODEL, settings)
-    moving = moving_by_recording(model, asked.sheet.audio, settings, scenario_named(asked.scenario))
-    return realize_moving(understudy.realizer, staged, moving, frame_rate_hz=question.fps, tail_s=question.tail_s)
+    model = motion_models.motion_model_named(asked.motion_model or motion_models.DEFAULT_MODEL, settings)
+    scenario = motion_models.scenario_named(asked.scenario or motion_models.DEFAULT_SCENARIO)
+    moving = motion_models.moving_by_recording(model, asked.sheet.audio, settings, scenario)
+    return motion_models.realize_moving(
+        understudy.realizer, staged, moving, frame_rate_hz=question.fps, tail_s=question.tail_s
+    )
 
 
 def _asked(understudy: Understudy, job: Job, content: bytes) -> _Asked:
@@ -207,7 +204,7 @@ def _asked(understudy: Understudy, job: Job, content: bytes) -> _Asked:
     name = PurePath(form["audio"].file_name or "").name if "audio" in form else ""
     audio = AudioFile(name, parts["audio"]) if name else None
     model, scenario = (form[name].text if name in form else None for name in ("motion_model", "scenario"))
-    return _Asked(sheet, question, parts.get("avatar"), audio, model, scenario or DEFAULT_SCENARIO)
+    return _Asked(sheet, question, parts.get("avatar"), audio, model, scenario)
 
 
 def _understood(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
