@@ -21,7 +21,7 @@ from unittest import mock
 from benchmarks.behavior.directing import gestures_of, load_score, others_of
 from understudy import performance
 from understudy.model import Analysis, Function
-from understudy.models import BehaviorModels
+from understudy.models import Understudy
 from understudy.options import Options
 from understudy.rules.priorities import resolved_as_in_paper
 from understudy.settings import Settings
@@ -43,7 +43,7 @@ def judged(measure: Measure, cases: Sequence[Case], choice: Literal["terms", "pr
     """The counts of score.py over the performances of the cases."""
     total: Counter[str] = Counter()
     for case in cases:
-        made = performance.perform_behaviors(measure.models, case.analysis, Options(choice=choice)).performance
+        made = performance.perform_analysis(measure.understudy, case.analysis, Options(choice=choice))
         record = [measure.record(case)]
         total += measure.score.judge(record, gestures_of(measure.score, made))
         total += measure.score.other_channels(record, *others_of(measure.score, made))
@@ -79,8 +79,8 @@ def main() -> None:
         kept = sum(function.kept for case in cases for function in case.analysis.functions)
         shared = sum(beside_others(case.analysis.functions) for case in cases)
         print(f"{name}: {kept} functions kept, {shared} of them beside one of another class")
-    models = BehaviorModels.load(Settings())
-    measure = Measure(models, load_score(arguments.directing, models.families.shows))
+    understudy = Understudy.for_words(Settings())
+    measure = Measure(understudy, load_score(arguments.directing, understudy.behavior.families.shows))
     for choice in CHOICES:
         for name, cases in (("table", beside), ("all compete", apart)):
             with nothing_dropped():

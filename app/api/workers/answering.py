@@ -14,7 +14,7 @@ from ...library.motion import (
     AvatarOptions,
     BmlInput,
     PreparedSchedule,
-    Realized,
+    RealizedSchedule,
     prepare_schedule,
     realize_prepared,
     write_realized,
@@ -160,7 +160,7 @@ def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer,
     return Answer(media_type, _headers(realized.motion.notices)), body
 
 
-def _moved(understudy: Understudy, asked: _Asked, staged: PreparedSchedule) -> Realized:
+def _moved(understudy: Understudy, asked: _Asked, staged: PreparedSchedule) -> RealizedSchedule:
     question = asked.question
     physics = understudy.acoustic.settings.physics if question.physics is None else question.physics
     return realize_prepared(
@@ -168,7 +168,7 @@ def _moved(understudy: Understudy, asked: _Asked, staged: PreparedSchedule) -> R
     )
 
 
-def _moved_by_model(understudy: Understudy, asked: _Asked, staged: PreparedSchedule) -> Realized:
+def _moved_by_model(understudy: Understudy, asked: _Asked, staged: PreparedSchedule) -> RealizedSchedule:
     """The motion by a motion model, which hears the recording. Raises InputError `motion_model`, `value_wrong`,
     `field_missing`."""
     from ...library import motion_models  # imported late: few requests need it

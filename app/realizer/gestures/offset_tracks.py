@@ -11,7 +11,7 @@ from enum import StrEnum
 
 from .gesture import OffsetTrack, TrackForm
 from .specifiers import number, one_of
-from .statements import LocatedMistake, Statement, Word
+from .statements import LocatedMistake, Statement, StatementValue
 
 MOST_DEGREES, MOST_PHASE_DEG, FEWEST_TURNS, MOST_TURNS = 45.0, 360.0, 0.25, 6.0
 
@@ -43,12 +43,12 @@ def offset_tracks(header: Iterable[Statement], wrong: list[LocatedMistake]) -> t
 def track_of(told: str) -> OffsetTrack:
     """The track of a line without its keyword, such as "held chest 0 12 0", as gesture scripts have it. Raises
     ValueError with everything that is wrong."""
-    words = [Word(text, 1, 1) for text in told.split()]
+    words = [StatementValue(text, 1, 1) for text in told.split()]
     numbers = words[2:]
     if not 3 <= len(numbers) <= 5 or not all(_NUMBER.fullmatch(word.text) for word in numbers):
         raise ValueError(f"{told!r} is no track; give form, joint and three angles, as in 'held chest 0 12 0'")
     wrong: list[LocatedMistake] = []
-    found = tuple(_track(Statement(Word("TRACK", 1, 1), tuple(words[:2]), tuple(numbers)), wrong))
+    found = tuple(_track(Statement(StatementValue("TRACK", 1, 1), tuple(words[:2]), tuple(numbers)), wrong))
     if wrong:
         raise ValueError(f"{told!r}: {'; '.join(mistake.message for mistake in wrong)}")
     return found[0]

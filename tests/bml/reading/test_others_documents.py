@@ -8,24 +8,24 @@ import pytest
 from understudy.model import Behavior
 from understudy.models import load_realizer
 from understudy.realization.bml import BmlInput, prepare_schedule
-from understudy.realization.motion import Realized, realize_prepared
+from understudy.realization.motion import RealizedSchedule, realize_prepared
 
 DOCUMENTS = Path(__file__).parent / "documents"
 EXPECTED = {"lips_unheard", "speech_untimed"}
 """What every speech without a recording is told."""
 
 
-def realized(name: str) -> Realized:
+def realized(name: str) -> RealizedSchedule:
     path = DOCUMENTS / f"{name}.xml"
     prepared = prepare_schedule(None, BmlInput(path.read_bytes(), path), targets=())
     return realize_prepared(load_realizer(), prepared, frame_rate_hz=30, tail_s=1.0)
 
 
-def behaviors(found: Realized) -> dict[str, Behavior]:
+def behaviors(found: RealizedSchedule) -> dict[str, Behavior]:
     return {each.id: each for each in found.schedule.behaviors}
 
 
-def codes(found: Realized) -> set[str]:
+def codes(found: RealizedSchedule) -> set[str]:
     return {notice.code for notice in found.motion.notices} - EXPECTED
 
 

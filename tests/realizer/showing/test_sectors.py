@@ -90,7 +90,7 @@ def test_what_is_no_place_is_refused(told: str) -> None:
         read_script(_script(_gesture() | {"from": told}))
 
 
-def _elbow_m(played: Realized) -> FloatArray:
+def _elbow_m(played: RealizedSchedule) -> FloatArray:
     """The right elbow at the end of the stroke, outwards, above the hips, away."""
     skeleton, motion = Skeleton.standing(), played.motion
     frame = int(np.searchsorted(motion.body.times_s, motion.realized["g1"].stroke_end or 0.0))
