@@ -81,12 +81,17 @@ class Cache:
             return make()
         key = _key(name, files, made_with)
         payload = self._read(name, key)
-        if payload is None:
-            made = make()
-            self._write(name, key, _pickled(made))
-            return made
-        kept: Value = _Unpickler(io.BytesIO(payload)).load()
-        return kept
+        if payload is not None:
+            try:
+                kept: Value = _Unpickler(io.BytesIO(payload)).load()
+            except (AttributeError, ImportError, TypeError) as error:
+                # A process that ran while its code was replaced wrote its old classes under the new code's key.
+                _log.debug("%s is of other code than this: %s", name, error)
+            else:
+                return kept
+        made = make()
+        self._write(name, key, _pickled(made))
+        return made
 
     def _path(self, name: str) -> str:
         """The file name; it differs for each place of installation, so that two versions do not replace each other's

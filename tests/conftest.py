@@ -5,6 +5,7 @@ import gc
 import os
 import sys
 from collections.abc import Iterator
+from functools import cache
 
 import hypothesis
 import pytest
@@ -13,6 +14,7 @@ from tests.support.examples import USUALLY, examples
 from understudy.api.workers.processes import Nursery
 from understudy.models import Understudy
 from understudy.settings import Settings
+from understudy.syntax.pipelines import load_pipeline
 
 BEGUN_FIRST = (
     "_in_chromium",
@@ -54,6 +56,15 @@ def pytest_collection_finish() -> None:
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Brings the files that take long to the front; `make test` hands files out in this order."""
     items.sort(key=lambda item: next((rank for rank, part in enumerate(BEGUN_FIRST) if part in item.nodeid), 99))
+
+
+@pytest.fixture(scope="session", autouse=True)
+def one_pipeline() -> Iterator[None]:
+    """Whatever loads models in a process of tests gets the same spaCy pipeline of a folder: it takes longer than all
+    else."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("understudy.syntax.parser.load_pipeline", cache(load_pipeline))
+        yield
 
 
 @pytest.fixture(scope="session")

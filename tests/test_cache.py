@@ -81,6 +81,17 @@ def test_a_damaged_file_is_replaced(cache: Cache, make: Maker, harm: Callable[[b
     assert file.read_bytes() == whole
 
 
+def test_what_was_written_by_code_that_is_no_more_is_made_again(
+    cache: Cache, make: Maker, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A service that runs while its code is replaced writes its old classes under the new code's key."""
+    cache.kept("thing", [make.file], make)
+    with monkeypatch.context() as patch:
+        patch.delattr(f"{Interval.__module__}.Interval")
+        assert cache.kept("thing", [make.file], lambda: ("new", None)) == ("new", None)
+    assert cache.kept("thing", [make.file], make) == ("new", None)
+
+
 def test_files_may_be_deleted_at_any_time(cache: Cache, make: Maker) -> None:
     cache.kept("thing", [make.file], make)
     the_file(cache).unlink()

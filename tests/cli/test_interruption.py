@@ -33,9 +33,7 @@ def _ended(code: str, module: str, target: Path) -> tuple[int, str]:
     "module",
     [
         "understudy.cli.main",
-        "argparse",
         "pydantic",
-        "understudy.cli.commands.perform",
         "spacy",
         "understudy.schemas.responses",
     ],

@@ -1,19 +1,17 @@
 """What the rules and words we ship find in a text, over real parses."""
 
 from functools import cache
-from pathlib import Path
 
 from tests.support.words.utterances import PARSER, words_of
 from understudy.model import Fact, Utterance
+from understudy.models import load_function_rules
 from understudy.rules.derivation import FunctionRules, derive_facts, derive_functions
 from understudy.syntax.parser import Parser
-
-ROOT = Path(__file__).resolve().parents[2]
 
 
 @cache
 def shipped_rules() -> FunctionRules:
-    return FunctionRules.load(ROOT / "app" / "rules", ROOT / "lexicon" / "en")
+    return load_function_rules()
 
 
 @cache

@@ -4,7 +4,6 @@ import json
 import subprocess
 import sys
 
-import pytest
 import spacy
 
 from understudy.resources import resource_folder
@@ -41,11 +40,11 @@ def test_a_spacy_that_was_imported_before_stays_as_it_is() -> None:
     assert _in_a_new_process(code) == [True]
 
 
-@pytest.mark.parametrize("text", ["I can't, e.g. in the U.S., y'all're gonna…", "(uh) well-known? :-) 5pm, don't!"])
-def test_it_cuts_tokens_as_spacy_loads_it(text: str) -> None:
+def test_it_cuts_tokens_as_spacy_loads_it() -> None:
     ours, theirs = load_pipeline(PARSER, without=()), spacy.load(PARSER)
     assert ours.tokenizer.to_bytes() == theirs.tokenizer.to_bytes()  # type: ignore[union-attr]
-    assert [token.text for token in ours(text)] == [token.text for token in theirs(text)]
-    assert [(token.head.i, token.dep_, token.lemma_) for token in ours(text)] == [
-        (token.head.i, token.dep_, token.lemma_) for token in theirs(text)
-    ]
+    for text in ("I can't, e.g. in the U.S., y'all're gonna…", "(uh) well-known? :-) 5pm, don't!"):
+        assert [token.text for token in ours(text)] == [token.text for token in theirs(text)]
+        assert [(token.head.i, token.dep_, token.lemma_) for token in ours(text)] == [
+            (token.head.i, token.dep_, token.lemma_) for token in theirs(text)
+        ]

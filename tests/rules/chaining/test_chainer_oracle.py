@@ -98,7 +98,7 @@ def programs(draw: st.DrawFn) -> list[Rule]:
 givens = st.lists(st.sampled_from(sorted(ARITIES)).flatmap(facts_of), min_size=6, max_size=25)
 
 
-@examples(100)
+@examples(50)
 @given(program=programs(), facts=givens)
 def test_the_same_facts_as_clips(program: list[Rule], facts: list[tuple[str | int, ...]]) -> None:
     assert _ours(program, facts) == _theirs(program, facts)
