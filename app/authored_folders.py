@@ -60,8 +60,10 @@ class _Bundled:
         return self.named_inside(path, self.lexicon)
 
     def named_inside(self, inside: PurePosixPath, folder: Path) -> PurePosixPath | None:
+        if not inside.parts:
+            return None
         if folder == self.rules:
-            is_read = inside.parts[0] in _KINDS_OF_RULES and len(inside.parts) == 2
+            is_read = inside.parts[0] in _KINDS_OF_RULES if len(inside.parts) == 2 else (folder / inside).is_file()
         else:
             is_read = inside.parts[0] in _FOLDERS if len(inside.parts) > 1 else (folder / inside).is_file()
             is_read = is_read and inside.suffix != ".rules"
@@ -102,6 +104,18 @@ def lexicon_folder() -> Path:
 def rules_folder(bundled: Path = RULES) -> Path:
     """The rules in use; raises as `lexicon_folder` does."""
     return _composed().joinpath(RULES.relative_to(RULES.parents[1])) if layers() else bundled
+
+
+def checkout_name(name: str) -> str | None:
+    """The name in a checkout of an author's file, by that or its shorter name; None if nothing would read it."""
+    path = PurePosixPath(name)
+    found = _Bundled(resource_folder("lexicon"), RULES).named(path) if path.parts else None
+    return None if found is None else found.as_posix()
+
+
+def name_in_checkout(path: Path) -> str:
+    """The name in a checkout of a file or folder among those that are read."""
+    return path.relative_to(rules_folder().parents[1]).as_posix()
 
 
 def tables_of(table: Path) -> tuple[Path, ...]:

@@ -72,6 +72,10 @@ class ForbiddenError(InputError):
     """The caller is not allowed to do this."""
 
 
+class ChangedError(InputError):
+    """What is to be replaced is no longer what the caller read."""
+
+
 class TooLargeError(InputError):
     """The input exceeds a limit of `understudy.settings`."""
 

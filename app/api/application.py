@@ -37,16 +37,16 @@ def create_app(
     *,
     reload: bool = False,
     opened: OpenedLine | OpenedScene | None = None,
-    rules_folder: Path | None = None,
+    author_folder: Path | None = None,
 ) -> FastAPI:
     """The application. The caller closes the nursery. With `reload`, files are reloaded when authors save them;
-    `opened` is what the studio page opens; rules edited there are saved in `rules_folder`, by callers on this machine
+    `opened` is what the studio page opens; rules edited there are saved in `author_folder`, by callers on this machine
     only."""
     metrics = Metrics.fresh()
 
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
-        shared = _service(settings, nursery, metrics, rules_folder)
+        shared = _service(settings, nursery, metrics, author_folder)
         async with shared as service, reloading(service) if reload else nullcontext():
             app.state.service = service
             yield
@@ -73,13 +73,13 @@ def create_app(
 
 @asynccontextmanager
 async def _service(
-    settings: Settings, nursery: Nursery, metrics: Metrics, rules_folder: Path | None
+    settings: Settings, nursery: Nursery, metrics: Metrics, author_folder: Path | None
 ) -> AsyncIterator[Service]:
     """The shared state of all requests, for the life of the application."""
     async with Pool(nursery, settings) as pool:
         streams, uploads, rates = Streams(pool, settings), Uploads(settings), Rates(settings.rate_per_minute)
         metrics.watch(busy=lambda: pool.busy, waiting=lambda: pool.waiting, streams=lambda: streams.count)
         try:
-            yield Service(settings, pool, streams, uploads, rates, metrics, rules_folder=rules_folder)
+            yield Service(settings, pool, streams, uploads, rates, metrics, author_folder=author_folder)
         finally:
             streams.stop()

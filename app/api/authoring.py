@@ -1,21 +1,24 @@
-"""Routes for authors: composing and playing gestures that are in no library yet, and trying edited rules.
+"""Routes for authors: composing and playing gestures that are in no library yet, trying edited rules, and reading and
+saving authored files.
 
 Requests have no side effects: edited rules apply to the request that carries them. Only a service started with a folder
-for an author's rules writes files, only there, and only for callers on its own machine.
+for an author's files writes any, only there, and only for callers on its own machine.
 """
+
+import json
 
 from fastapi import APIRouter, Request, Response
 from starlette.exceptions import HTTPException
 
-from ..authoring.rule_edits import FIELD, is_new_file
-from ..authoring.rule_files import read_rule_text, saved_names, write_rule_text
-from ..errors import ForbiddenError, UndecodableError
+from ..authoring.editable_files import LEXICON_FILES, RULE_FILES, EditableFiles
+from ..authoring.saved_files import SavedText, read_text, require_folder, saved_names, write_text
+from ..errors import ForbiddenError, InputError, UndecodableError
 from ..schemas.rules import RuleFileResponse, RuleFilesResponse
 from .admission.hosts import is_loopback
 from .bodies import declared_bytes
 from .negotiation import GESTURE_TYPES, JSON, chosen
-from .service import Shared, worked
-from .workers.messages import Task
+from .service import Service, Shared, answered, worked
+from .workers.messages import Job, Task
 
 router = APIRouter()
 
@@ -54,45 +57,53 @@ async def post_gestures_pose(request: Request, shared: Shared) -> Response:
 @router.get("/rules/files")
 async def get_rule_files(shared: Shared) -> Response:
     """The files of rules, priorities and words that can be edited."""
-    files = [path.removeprefix("/rules/files/") for path in shared.pool.nursery.library if path.startswith("/rules/f")]
-    saved = list(saved_names(shared.rules_folder))
-    told = RuleFilesResponse(files=files, saved=saved, writable=shared.rules_folder is not None)
-    return Response(told.to_json(), media_type=JSON)
+    return _listed(RULE_FILES, shared)
+
+
+@router.get("/lexicon/files")
+async def get_lexicon_files(shared: Shared) -> Response:
+    """The files of gestures, characters, profiles and weights that can be edited."""
+    return _listed(LEXICON_FILES, shared)
 
 
 @router.get("/rules/files/{name:path}")
 async def get_rule_file(name: str, shared: Shared) -> Response:
-    """The text of a file of rules or words: as its author saved it, else as it is in use."""
-    known = shared.pool.nursery.library.get(f"/rules/files/{name}")
-    if known is None and not is_new_file(name):
-        raise HTTPException(404, "no file of rules or words has that name; GET /rules/files lists them")
-    if known is not None and shared.rules_folder is None:
-        return Response(known, media_type=JSON)
-    return Response(RuleFileResponse.of(read_rule_text(name, shared.rules_folder)).to_json(), media_type=JSON)
+    """The text of a file of rules or words: as its author saved it, else as it is in use. `ETag` is its version."""
+    return _answer(read_text(RULE_FILES, _known(RULE_FILES, name), shared.author_folder))
+
+
+@router.get("/lexicon/files/{name:path}")
+async def get_lexicon_file(name: str, shared: Shared) -> Response:
+    """The text of a file of gestures, a character, a profile or weights, as of `/rules/files`."""
+    return _answer(read_text(LEXICON_FILES, _known(LEXICON_FILES, name), shared.author_folder))
 
 
 @router.put("/rules/files/{name:path}")
 async def put_rule_file(name: str, request: Request, shared: Shared) -> Response:
-    """Saves a file of rules or words, as plain text, in the folder of `understudy studio --rules DIR`; other services
-    refuse."""
-    if f"/rules/files/{name}" not in shared.pool.nursery.library and not is_new_file(name):
-        raise HTTPException(404, "no file of rules or words has that name; GET /rules/files lists them")
-    if shared.rules_folder is not None and not _is_own_machine(request):
-        raise ForbiddenError("rules_read_only", "rules are saved from this machine alone", field=FIELD)
-    most_bytes, declared = shared.settings.part_limits["rules"], declared_bytes(request.headers)
-    async with shared.uploads.body(request.receive, most_bytes=most_bytes, declared_bytes=declared) as body:
-        try:
-            text = bytes(body).decode("utf-8")
-        except UnicodeDecodeError as error:
-            message = f"{FIELD} is not UTF-8 at byte {error.start}; send it as UTF-8"
-            raise UndecodableError("text_not_utf8", message, field=FIELD) from None
-        write_rule_text(name, text, shared.rules_folder)
-    return Response(RuleFileResponse.of(read_rule_text(name, shared.rules_folder)).to_json(), media_type=JSON)
+    """Saves a file of rules or words, as plain text, in the folder of `understudy studio --lexicon DIR` or `--rules
+    DIR`; other services refuse. With `If-Match` only if the file still has that `ETag`."""
+    name = _known(RULE_FILES, name)
+    _require_saving(RULE_FILES, request, shared)
+    text = await _sent_text(RULE_FILES, request, shared)
+    return _answer(write_text(RULE_FILES, name, text, shared.author_folder, version=_version(request)))
+
+
+@router.put("/lexicon/files/{name:path}")
+async def put_lexicon_file(name: str, request: Request, shared: Shared) -> Response:
+    """Saves a file of gestures, a character, a profile or weights, as `/rules/files` does, unless it has mistakes or
+    does not go with the files in use."""
+    name = _known(LEXICON_FILES, name)
+    _require_saving(LEXICON_FILES, request, shared)
+    text = await _sent_text(LEXICON_FILES, request, shared)
+    checked = json.dumps({"files": {name: text}}).encode()
+    _refuse_mistakes(await answered(request, shared, Job(Task.RULE_CHECK, JSON, None), checked))
+    return _answer(write_text(LEXICON_FILES, name, text, shared.author_folder, version=_version(request)))
 
 
 @router.post("/rules/check")
 async def post_rules_check(request: Request, shared: Shared) -> Response:
-    """Edited files in, every mistake in the rules and words with them out, each with its file, line and column."""
+    """Edited or new files in, of rules, words, gestures, characters, profiles and weights; every mistake with them out,
+    each with its file, line and column."""
     return await worked(request, shared, Task.RULE_CHECK)
 
 
@@ -108,6 +119,60 @@ async def post_rules_compare(request: Request, shared: Shared) -> Response:
     before and after. Lines are read, not heard.
     """
     return await worked(request, shared, Task.RULE_COMPARISON)
+
+
+def _listed(kind: EditableFiles, shared: Service) -> Response:
+    folder = shared.author_folder
+    told = RuleFilesResponse(
+        files=list(kind.files()), saved=list(saved_names(kind, folder)), writable=folder is not None
+    )
+    return Response(told.to_json(), media_type=JSON)
+
+
+def _known(kind: EditableFiles, name: str) -> str:
+    """The file's name in a checkout; raises HTTPException for a name of no such file."""
+    known = kind.known(name)
+    if known is None:
+        raise HTTPException(404, f"no {kind.kind} has that name; GET /{kind.field}/files lists them")
+    return known
+
+
+def _answer(text: SavedText) -> Response:
+    headers = {"ETag": f'"{text.version}"'}
+    return Response(RuleFileResponse.of(text).to_json(), media_type=JSON, headers=headers)
+
+
+def _version(request: Request) -> str | None:
+    """The version in `If-Match`; None if any will do."""
+    told = request.headers.get("if-match", "*").strip()
+    return None if told == "*" else told.removeprefix("W/").strip('"')
+
+
+def _require_saving(kind: EditableFiles, request: Request, shared: Service) -> None:
+    """Raises ForbiddenError if nothing is saved here, or not for this caller."""
+    require_folder(kind, shared.author_folder)
+    if not _is_own_machine(request):
+        raise ForbiddenError("rules_read_only", "files are saved from this machine alone", field=kind.field)
+
+
+async def _sent_text(kind: EditableFiles, request: Request, shared: Service) -> str:
+    """The body; raises UndecodableError if it is no UTF-8, and as `Uploads.body` does."""
+    most_bytes, declared = shared.settings.part_limits["rules"], declared_bytes(request.headers)
+    async with shared.uploads.body(request.receive, most_bytes=most_bytes, declared_bytes=declared) as body:
+        try:
+            return bytes(body).decode("utf-8")
+        except UnicodeDecodeError as error:
+            message = f"{kind.field} is not UTF-8 at byte {error.start}; send it as UTF-8"
+            raise UndecodableError("text_not_utf8", message, field=kind.field) from None
+
+
+def _refuse_mistakes(checked: bytes) -> None:
+    """Raises InputError with the first of the mistakes that /rules/check found."""
+    first, *others = json.loads(checked)["mistakes"] or [None]
+    if first is not None:
+        more = f"; and {len(others)} more mistakes" if others else ""
+        message = f"{first['file']}:{first['line']}:{first['column']}: {first['message']}{more}; nothing was saved"
+        raise InputError("file_wrong", message, field=LEXICON_FILES.field)
 
 
 def _is_own_machine(request: Request) -> bool:

@@ -13,6 +13,7 @@ from starlette.responses import JSONResponse, Response
 
 from ..errors import (
     LONGEST_SHOWN,
+    ChangedError,
     ForbiddenError,
     InputError,
     NotAcceptableError,
@@ -37,6 +38,7 @@ _STATUS_OF_CLASS: tuple[tuple[type[UnderstudyError], int], ...] = (
     (ForbiddenError, 403),
     (NotAcceptableError, 406),
     (SlowClientError, 408),
+    (ChangedError, 412),
     (TooLargeError, 413),
     (UnsupportedFormatError, 415),
     (TooManyError, 429),

@@ -26,8 +26,8 @@ Result = TypeVar("Result")
 
 @dataclass(slots=True)
 class Service:
-    """The shared state. `not_reloaded` says why saved files are not in use (`--reload`). Edited rules are saved in
-    `rules_folder`; if None, nowhere."""
+    """The shared state. `not_reloaded` says why saved files are not in use (`--reload`). Authored files are
+    saved in `author_folder`; if None, nowhere."""
 
     settings: Settings
     pool: Pool
@@ -36,7 +36,7 @@ class Service:
     rates: Rates
     metrics: Metrics
     not_reloaded: str | None = None
-    rules_folder: Path | None = None
+    author_folder: Path | None = None
 
 
 def service_of(request: Request) -> Service:
@@ -50,9 +50,7 @@ Shared = Annotated[Service, Depends(service_of)]
 
 async def worked(request: Request, service: Service, task: Task) -> Response:
     """The answer of a worker. Raises UnderstudyError, ClientDisconnect."""
-    service.rates.take(request.client.host if request.client else "")
-    caller = f"{caller_of(request)} {request.headers.get('x-request-id', '')[:64]}"
-    service.pool.require_place(caller)
+    caller = _admitted(request, service)
     deadline = Deadline.starting_now(service.settings.deadline_s)
     content_type = request.headers.get("content-type", "")
     job = Job(task, content_type, request.headers.get("accept"))
@@ -61,6 +59,23 @@ async def worked(request: Request, service: Service, task: Task) -> Response:
     async with service.uploads.body(request.receive, most_bytes=most_bytes, declared_bytes=declared) as body:
         answer, content = await _unless_gone(request, service.pool.run(job, body, deadline, caller))
     return Response(bytes(content), media_type=answer.media_type, headers=dict(answer.headers))
+
+
+async def answered(request: Request, service: Service, job: Job, body: bytes) -> bytes:
+    """What a worker answers to a job of the service's own, for a request whose body has been read. Raises as `worked`
+    does."""
+    caller = _admitted(request, service)
+    deadline = Deadline.starting_now(service.settings.deadline_s)
+    _, content = await _unless_gone(request, service.pool.run(job, bytearray(body), deadline, caller))
+    return bytes(content)
+
+
+def _admitted(request: Request, service: Service) -> str:
+    """The name of the caller, for whom there is a place."""
+    service.rates.take(request.client.host if request.client else "")
+    caller = f"{caller_of(request)} {request.headers.get('x-request-id', '')[:64]}"
+    service.pool.require_place(caller)
+    return caller
 
 
 async def _unless_gone(request: Request, work: Coroutine[Any, Any, Result]) -> Result:

@@ -1,7 +1,6 @@
 """Checks authored files: all those in use, or others before they are put to use."""
 
-import re
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping
 from functools import partial
 from pathlib import Path
 from types import MappingProxyType
@@ -13,9 +12,8 @@ from ..acoustic.pacing.pacing import PauseTable
 from ..acoustic.pacing.phone_durations import FILE as PHONE_DURATIONS
 from ..acoustic.pacing.phone_durations import PhoneDurations
 from ..acoustic.pronunciation.normalisation import Normaliser
-from ..authored_folders import AUTHORED, lexicon_folder, rules_folder, tables_of
+from ..authored_folders import lexicon_folder, tables_of
 from ..behavior.candidates.attitudes import load_attitudes
-from ..behavior.candidates.vocabulary import BANNABLE
 from ..behavior.characters.overlays import Characters
 from ..behavior.listeners.listening import HeadRates
 from ..behavior.reading.authored_weights import TermNames, load_weights
@@ -29,7 +27,7 @@ from ..bml.reading.element_behaviors import FILE as BML_ALIASES
 from ..bml.reading.element_behaviors import LexemeAliases
 from ..bml.writing.smartbody_tables import FILE as SMARTBODY
 from ..bml.writing.smartbody_tables import SmartBodyTables
-from ..errors import AuthoringError, InputError, Mistake, collected
+from ..errors import AuthoringError, Mistake, collected
 from ..live.table import FILE as LIVE
 from ..live.table import LiveTable
 from ..marked_text.tag_table import FILE as TAGS
@@ -48,17 +46,13 @@ from ..realizer.body.skeleton import Skeleton
 from ..realizer.exporting.retargeting import load_rigs
 from ..realizer.face.face_tables import FaceTables
 from ..realizer.gestures.gesture import Definition
-from ..realizer.gestures.library import ALIASES, SUFFIX, Library, gesture_files, read_aliases, read_definitions
+from ..realizer.gestures.library import ALIASES, Library, gesture_files, read_aliases, read_definitions
 from ..realizer.mpeg4.fap import TABLE as FAPS
 from ..realizer.mpeg4.fap import FapTable
 from ..resources import resource_folder
-from ..rules.lexicon import Lexicon
 from ..rules.priorities import Conflicts, Priorities
-from ..rules.program.program import PRINTED, load_program
 from ..yaml_files import Source, entry_source
 
-VOCABULARY = "vocabulary.rules"
-_CHOOSES = re.compile(r"^\s*(choose|never|always)\b", re.MULTILINE)
 Check = Callable[[], object]
 """Loads something, and raises AuthoringError if it has mistakes."""
 
@@ -81,7 +75,7 @@ def _check_mimes(file: Path) -> None:
     MimeTable.load(file, families.gesture_names)
 
 
-def _check_weights(file: Path) -> None:
+def check_weights(file: Path) -> None:
     choice = ChoiceModel.load(resource_folder("models") / "acting" / "weights.json")
     table = TermTable.load(lexicon_folder() / "acting" / "terms.yaml", load_function_rules().program.argument_counts)
     names = TermNames.of(choice.terms, table.names.values(), load_function_classes())
@@ -109,7 +103,7 @@ NAMED_FILES: Mapping[str, Callable[[Path], object]] = MappingProxyType(
         "attitudes.yaml": _check_attitudes,
         "slots.yaml": _check_slots,
         "mimes.yaml": _check_mimes,
-        "weights.yaml": _check_weights,
+        "weights.yaml": check_weights,
         "terms.yaml": _check_terms,
         "head_rates.yaml": HeadRates.load,
         "columns.yaml": _check_column_names,
@@ -134,7 +128,7 @@ def check_files_in_use() -> None:
     the table, and terms of no predicate, are reported only if there are no other mistakes.
     """
     lexicon = lexicon_folder()
-    mistakes = _mistakes_of(
+    mistakes = mistakes_of(
         load_function_rules,
         partial(Normaliser.load, lexicon / "en" / "abbreviations.yaml", ()),
         lambda: load_mapping_rules(load_characters().behavior_names),
@@ -145,7 +139,7 @@ def check_files_in_use() -> None:
         lambda: _check_attitudes(lexicon / "acting" / "attitudes.yaml"),
         lambda: _check_slots(lexicon / "acting" / "slots.yaml"),
         lambda: _check_mimes(lexicon / "acting" / "mimes.yaml"),
-        lambda: _check_weights(lexicon / "acting" / "weights.yaml"),
+        lambda: check_weights(lexicon / "acting" / "weights.yaml"),
         partial(HeadRates.load, lexicon / "acting" / "head_rates.yaml"),
         partial(SmartBodyTables.load, lexicon / SMARTBODY),
         partial(FapTable.load, lexicon / FAPS),
@@ -155,10 +149,10 @@ def check_files_in_use() -> None:
         partial(PauseTable.load, lexicon / PACING),
         lambda: TagTable.load(lexicon / TAGS, load_function_classes()),
         partial(load_rigs, lexicon / "retarget", Skeleton.standing()),
-    ) or _mistakes_of(
+    ) or mistakes_of(
         lambda: check_coverage(lexicon, load_gestures()),
         lambda: _check_terms(lexicon / "acting" / "terms.yaml"),
-        *(partial(_check_profile, file) for file in sorted((lexicon / "profiles").glob("*.yaml"))),
+        *(partial(check_profile, file) for file in sorted((lexicon / "profiles").glob("*.yaml"))),
     )
     if mistakes:
         raise AuthoringError(tuple(mistakes))
@@ -184,23 +178,6 @@ def check_coverage(lexicon: Path, library: Library) -> None:
         raise AuthoringError(tuple(mistakes))
 
 
-def check_files(paths: Iterable[Path]) -> int:
-    """Check these files, and all authored files in these folders, instead of those in use; returns their number.
-
-    Rule files are read with those in use, unless there is a vocabulary among them; gesture files as one library. Raises
-    AuthoringError with all mistakes in them (or, if they have none, in the files they are read with), InputError
-    `no_authored_file` for a path without any.
-    """
-    files = [file for path in paths for file in _authored_files(path)]
-    rules = [file for file in files if file.suffix == ".rules"]
-    gestures = [file for file in files if file.suffix == SUFFIX]
-    checks = dict(_check_of(file) for file in files if file.suffix == ".yaml")
-    mistakes = _mistakes_of(partial(_load_rules, rules), partial(read_definitions, gestures), *checks.values())
-    if mistakes:
-        raise AuthoringError(tuple(mistake for mistake in mistakes if mistake.path in files) or tuple(mistakes))
-    return len(files)
-
-
 def _unshown(source: Source, entry: BehaviorEntry, library: Library) -> Iterator[Mistake]:
     if entry.channel is not Channel.GESTURE:
         return
@@ -211,83 +188,13 @@ def _unshown(source: Source, entry: BehaviorEntry, library: Library) -> Iterator
             yield source.mistake(("behaviors", entry.name), told)
 
 
-def _authored_files(path: Path) -> list[Path]:
-    """The authored files in `path`, or the file itself."""
-    inside = sorted(path.resolve().rglob("*")) if path.is_dir() else [path.resolve()]
-    files = [file for file in inside if file.suffix in AUTHORED and file.is_file()]
-    if not files:
-        raise InputError(
-            "no_authored_file", f"{path}: no .rules, .yaml or .gesture file is there; give a file or folder of them"
-        )
-    for file in files:
-        _require_text(file)
-    return files
-
-
-def _require_text(file: Path) -> None:
-    try:
-        file.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError("file_unreadable", f"{file}: cannot be read as UTF-8 text: {error}") from None
-
-
-def _load_rules(files: Sequence[Path]) -> None:
-    """Reads rules as they would be read if they were in use: function rules and mapping rules apart, each with those in
-    use, of which one with the same name gives way. A folder with a vocabulary of its own is a program by itself."""
-    behaviors = load_characters().behavior_names
-    read = partial(load_program, behaviors=behaviors, bannable=BANNABLE, printed=PRINTED)
-    if any(file.name == VOCABULARY for file in files):
-        read(files)
-        return
-    rules = rules_folder()
-    for kind, own in _by_kind(files).items():
-        names = {file.name for file in own}
-        used = [file for file in sorted((rules / kind).glob("*.rules")) if file.name not in names]
-        read([rules / VOCABULARY, *used, *own])
-
-
-def _by_kind(files: Sequence[Path]) -> Mapping[str, Sequence[Path]]:
-    """The rules by the folder in which they would be: their own, else as their text chooses movements or does not."""
-    kinds: dict[str, list[Path]] = {}
-    for file in files:
-        chooses = _CHOOSES.search(file.read_text(encoding="utf-8")) is not None
-        told = "behaviors" if chooses else "functions"
-        kinds.setdefault(file.parent.name if file.parent.name in ("functions", "behaviors") else told, []).append(file)
-    return kinds
-
-
-def _check_of(file: Path) -> tuple[tuple[str, Path], Check]:
-    """The loader of a YAML file, with a key so that files that are read together are read once."""
-    folder = file.parent
-    if file.name in NAMED_FILES:
-        return (file.name, file), partial(NAMED_FILES[file.name], file)
-    if folder.name == "characters":
-        return ("characters", folder), partial(_load_characters, folder.parent)
-    if folder.name == "profiles":
-        return ("profile", file), partial(_check_profile, file)
-    if folder.name == "retarget":
-        return ("rigs", folder), partial(load_rigs, folder, Skeleton.standing())
-    return ("words", folder), partial(_load_words, folder)
-
-
-def _load_characters(lexicon: Path) -> None:
-    """Raises InputError `no_behavior_table` if there is no table for the characters to override."""
-    if not (lexicon / "behaviors.yaml").is_file():
-        raise InputError("no_behavior_table", f"{lexicon}: characters need the behaviors.yaml that they change here")
-    Characters.load(lexicon)
-
-
-def _check_profile(file: Path) -> None:
+def check_profile(file: Path) -> None:
+    """Raises AuthoringError for a gesture profile with mistakes."""
     load_profile_file(file, load_characters().gesture_lexemes)
 
 
 def _definitions_beside(aliases: Path) -> tuple[Definition, ...]:
     return read_definitions(gesture_files([aliases.parent]))
-
-
-def _load_words(folder: Path) -> None:
-    refuse_unread_words(folder)
-    Lexicon.load(folder)
 
 
 def refuse_unread_words(folder: Path) -> None:
@@ -303,7 +210,7 @@ def _keys(file: Path) -> Collection[str]:
     return value if isinstance(value, dict) else ()
 
 
-def _mistakes_of(*checks: Check) -> list[Mistake]:
+def mistakes_of(*checks: Check) -> list[Mistake]:
     """The mistakes that the checks raise, without duplicates: gestures are also read for their aliases."""
     mistakes: list[Mistake] = []
     for check in checks:

@@ -1,84 +1,41 @@
-"""Compiles edited rules, words and priorities beside those in use, which stay as they are.
+"""Compiles edited rules, words and priorities beside those in use, which stay as they are, and finds the mistakes in
+edited files of any kind.
 
-Files are named by their place in a checkout: `app/rules/functions/lists.rules`, `lexicon/en/spatial.yaml`. A name that
-does not exist yet is a new file, in the folders where an author may write one (docs/authoring.md). Edited texts are
-compiled in a temporary folder.
+Files are named as in `editable_files`; a name that does not exist yet is a new file. Edited texts are read in a
+temporary folder.
 """
 
-import re
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
-from ..authored_folders import AUTHORED, lexicon_folder, rules_folder
-from ..behavior.candidates.vocabulary import BANNABLE
-from ..errors import AuthoringError, InputError, Mistake, collected, did_you_mean, shown
+from ..errors import AuthoringError, InputError, Mistake, collected
 from ..models import Understudy
-from ..rules.derivation import FunctionRules
-from ..rules.mapping import MappingRules
-from .proofreading import refuse_unread_words
+from .editable_files import LEXICON_FILES, RULE_FILES
+from .file_checking import CompiledRules, compile_rules, mistakes_in_files, temporary_folder
 
 Edits = Mapping[str, str]
 """The whole text of each edited file, by its name."""
 
-FIELD = "rules"
-_OWN_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
-
-_IN_MEMORY = Path("/dev/shm")
-"""A folder that is writable even where the file system is read-only."""
-
-_HEARD = "abbreviations.yaml"
-"""Not editable here, because the aligner reads it when it starts."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class CompiledRules:
-    """Function rules with their words, and mapping rules."""
-
-    functions: FunctionRules
-    mappings: MappingRules
-
-
-def editable_files() -> Mapping[str, Path]:
-    """The files that may be edited: rules, priorities, conflicts and words, by their names."""
-    inside = (*rules_folder().rglob("*.*"), *(lexicon_folder() / "en").glob("*.*"))
-    files = sorted(path for path in inside if path.suffix in AUTHORED and path.name != _HEARD and path.is_file())
-    return {_name(path): path for path in files}
-
-
-def _name(path: Path) -> str:
-    return path.relative_to(rules_folder().parents[1]).as_posix()
-
-
-def is_new_file(name: str) -> bool:
-    """Whether a file of that name does not exist yet, and would be read."""
-    rules, words = _name(rules_folder()), _name(lexicon_folder() / "en")
-    folder, _, own = name.rpartition("/")
-    suffixes = {f"{rules}/functions": ".rules", f"{rules}/behaviors": ".rules", words: ".yaml"}
-    is_named = _OWN_NAME.fullmatch(own.removesuffix(suffixes.get(folder, "/"))) is not None
-    return own.endswith(suffixes.get(folder, "/")) and is_named and name not in editable_files()
-
-
-def require_file(name: str) -> None:
-    """Raises InputError `unknown_file` for a name that is neither that of a file nor one that a new file may have."""
-    files = editable_files()
-    if name not in files and not is_new_file(name):
-        hint = did_you_mean(name, files) or "; GET /rules/files lists those that are"
-        rules, words = _name(rules_folder()), _name(lexicon_folder() / "en")
-        where = f"a new one is in {rules}/functions/, {rules}/behaviors/ (NAME.rules) or {words}/ (NAME.yaml)"
-        raise InputError("unknown_file", f"{shown(name)} is no file of rules or words{hint}; {where}", field=FIELD)
-
 
 def mistakes_in(edits: Edits, behavior_names: frozenset[str]) -> tuple[Mistake, ...]:
-    """Every mistake in the rules and words with these edits, with the names of their files. Raises InputError
-    `unknown_file`."""
-    try:
-        compile_edits(edits, behavior_names)
-    except AuthoringError as error:
-        return error.mistakes
-    return ()
+    """Every mistake in the rules and words with these edits, and in edited gestures, characters, profiles and weights,
+    with the names of their files. Raises InputError `unknown_file`."""
+    lexicon = {full: text for name, text in edits.items() if (full := LEXICON_FILES.known(name))}
+    rules = {name: text for name, text in edits.items() if not LEXICON_FILES.known(name)}
+    found = list(_lexicon_mistakes(lexicon))
+    if rules or not lexicon:
+        collected(lambda: compile_edits(rules, behavior_names), found)
+    return tuple(found)
+
+
+def _lexicon_mistakes(edits: Edits) -> tuple[Mistake, ...]:
+    with temporary_folder() as folder:
+        paths = {name: Path(folder, name) for name in edits}
+        for name, path in paths.items():
+            _write(path, edits[name])
+        return tuple(_renamed(mistake, Path(folder)) for mistake in mistakes_in_files(paths))
 
 
 def with_edits(understudy: Understudy, edits: Edits) -> Understudy:
@@ -102,7 +59,7 @@ def rules_wrong(error: AuthoringError) -> InputError:
     first, *others = error.mistakes
     more = f"; and {len(others)} more mistakes" if others else ""
     message = f"{_named(first.path)}:{first.line}:{first.column}: {first.message}{more}"
-    return InputError("rules_wrong", message, field=FIELD)
+    return InputError("rules_wrong", message, field=RULE_FILES.field)
 
 
 def compile_edits(edits: Edits, behavior_names: frozenset[str]) -> CompiledRules:
@@ -111,35 +68,34 @@ def compile_edits(edits: Edits, behavior_names: frozenset[str]) -> CompiledRules
 
     Raises AuthoringError with every mistake, InputError `unknown_file`.
     """
-    for name in edits:
-        require_file(name)
-    return _compiled(tuple(sorted(edits.items())), behavior_names)
+    full = {RULE_FILES.required(name): text for name, text in edits.items()}
+    return _compiled(tuple(sorted(full.items())), behavior_names)
 
 
 @lru_cache(maxsize=2)
 def _compiled(edits: tuple[tuple[str, str], ...], behavior_names: frozenset[str]) -> CompiledRules:
-    texts = dict(edits)
-    with TemporaryDirectory(prefix="understudy-rules-", dir=_IN_MEMORY if _IN_MEMORY.is_dir() else None) as folder:
-        for name, text in ({name: path.read_text("utf-8") for name, path in editable_files().items()} | texts).items():
-            copy = Path(folder, name)
-            copy.parent.mkdir(parents=True, exist_ok=True)
-            copy.write_text(text, encoding="utf-8")
-        words = Path(folder, _name(lexicon_folder() / "en"))
-        rules = Path(folder, _name(rules_folder()))
-        found: list[Mistake] = []
-        collected(lambda: refuse_unread_words(words), found)
-        functions = collected(lambda: FunctionRules.load(rules, words), found)
-        mappings = collected(lambda: MappingRules.load(rules, behavior_names, BANNABLE), found)
-        if functions is None or mappings is None or found:
-            raise AuthoringError(tuple(dict.fromkeys(_renamed(mistake, Path(folder)) for mistake in found)))
-    return CompiledRules(functions, mappings)
+    in_use = {name: path.read_text("utf-8") for name, path in RULE_FILES.files().items()}
+    with temporary_folder() as folder:
+        for name, text in (in_use | dict(edits)).items():
+            _write(Path(folder, name), text)
+        try:
+            return compile_rules(Path(folder), behavior_names)
+        except AuthoringError as error:
+            raise AuthoringError(tuple(_renamed(mistake, Path(folder)) for mistake in error.mistakes)) from None
+
+
+def _write(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
 
 
 def _renamed(mistake: Mistake, folder: Path) -> Mistake:
     """The mistake with paths as the author knows them, without the temporary folder."""
-    return replace(mistake, path=mistake.path.relative_to(folder), message=mistake.message.replace(f"{folder}/", ""))
+    inside = mistake.path.is_relative_to(folder)
+    path = mistake.path.relative_to(folder) if inside else mistake.path
+    return replace(mistake, path=path, message=mistake.message.replace(f"{folder}/", ""))
 
 
 def _named(path: Path) -> str:
     """The name of a file that rules were compiled from, even in a temporary folder that no longer exists."""
-    return next((name for name in editable_files() if str(path).endswith(f"/{name}")), str(path))
+    return next((name for name in RULE_FILES.files() if str(path).endswith(f"/{name}")), str(path))

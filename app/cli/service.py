@@ -35,11 +35,11 @@ def run_service(
     *,
     reload: bool = False,
     opened: OpenedLine | OpenedScene | None = None,
-    rules_folder: Path | None = None,
+    author_folder: Path | None = None,
     when_started: Callable[[str], None] = _nothing,
 ) -> int:
     """Listens on the address in the settings; `when_started` is called with the first address, as a URL. Rules edited
-    in the page can be saved in `rules_folder`.
+    in the page can be saved in `author_folder`.
 
     Raises KeyboardInterrupt, after everything has ended, if that is what stopped it; InputError `address_unusable`,
     `key_missing` and `setting_wrong`.
@@ -52,7 +52,7 @@ def run_service(
             require_keys(admission, each.getsockname()[0], settings)
         log_config = log.service_logging()
         nursery = stack.enter_context(Nursery.start(settings, logging=log_config))
-        app = create_app(settings, nursery, reload=reload, opened=opened, rules_folder=rules_folder)
+        app = create_app(settings, nursery, reload=reload, opened=opened, author_folder=author_folder)
         listen(sockets)
         addresses = [shown_address(each) for each in sockets]
 

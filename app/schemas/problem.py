@@ -18,6 +18,7 @@ CODES = MappingProxyType(
         405: ("method_not_allowed",),
         406: ("not_acceptable",),
         408: ("upload_slow",),
+        412: ("file_changed",),
         413: (
             *("audio_too_large", "audio_too_long", "text_too_long", "bml_too_large", "body_too_large"),
             *("field_too_large", "work_too_large"),
@@ -36,6 +37,7 @@ CODES = MappingProxyType(
             *("field_repeated", "motion_too_large", "target_wrong", "unknown_target", "unknown_profile"),
             *("gesture_wrong", "unfit_gesture", "unknown_name", "rules_wrong", "rules_unreadable", "unknown_file"),
             *("edits_wrong", "profile_wrong", "tags_wrong", "lexicon_wrong", "agitation_model"),
+            "file_wrong",
             *("bvh_wrong", "pairs_wrong", "motion_model"),
         ),
         429: ("too_many_requests", "too_many_wrong_keys"),

@@ -8,7 +8,7 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from ..authoring.catalogue import Catalogue, Item, ItemKind
 from ..authoring.rule_comparison import LineChange
-from ..authoring.rule_files import RuleText
+from ..authoring.saved_files import SavedText
 from ..errors import Mistake
 from .gestures.definitions import PlacedMistakeResponse
 from .library import RuleResponse
@@ -33,7 +33,7 @@ class _Request(BaseModel):
 
 
 class RuleEditsRequest(_Request):
-    """Edited files of rules and words; they apply to this request only."""
+    """Edited or new files; they apply to this request only."""
 
     files: Texts = {}
 
@@ -59,12 +59,12 @@ class RuleFileResponse(ResponseModel):
     saved: bool
 
     @classmethod
-    def of(cls, found: RuleText) -> Self:
+    def of(cls, found: SavedText) -> Self:
         return cls.model_validate(found)
 
 
 class RuleFilesResponse(ResponseModel):
-    """The names of all files of rules and words, of those that were saved, and whether files can be saved."""
+    """The names of all files of a kind, of those that were saved, and whether files can be saved."""
 
     files: list[str]
     saved: list[str]
@@ -72,7 +72,7 @@ class RuleFilesResponse(ResponseModel):
 
 
 class RuleCheckResponse(ResponseModel):
-    """Every mistake in the rules and words with the edits."""
+    """Every mistake in the files with the edits."""
 
     mistakes: list[PlacedMistakeResponse]
 

@@ -136,7 +136,7 @@ def test_a_service_saves_no_rules_unless_it_has_a_folder_for_them(client: TestCl
 
 @pytest.fixture
 def saving(nursery: Nursery, tmp_path: Path) -> FastAPI:
-    return create_app(Settings(workers=1), nursery, rules_folder=tmp_path)
+    return create_app(Settings(workers=1), nursery, author_folder=tmp_path)
 
 
 def test_rules_are_saved_in_the_folder_and_in_use_stay_those_that_were(saving: FastAPI, tmp_path: Path) -> None:
@@ -150,6 +150,36 @@ def test_rules_are_saved_in_the_folder_and_in_use_stay_those_that_were(saving: F
     assert text_of(WORDS) == in_use
 
 
+def test_gestures_and_characters_are_saved_as_they_were_read_and_without_mistakes(
+    saving: FastAPI, tmp_path: Path
+) -> None:
+    path, own = "/lexicon/files/lexicon/characters/reserved.yaml", tmp_path / "lexicon/characters/reserved.yaml"
+    with TestClient(saving, "http://127.0.0.1", client=("127.0.0.1", 50000)) as client:
+        assert client.get("/lexicon/files").json()["writable"]
+        read = client.get(path)
+        changed = read.json()["text"].replace("description: ", "description: Very ", 1)
+        match = {"If-Match": read.headers["ETag"]}
+        assert client.put(path, content=changed, headers=match).status_code == 200
+        again = client.put(path, content=changed, headers=match)
+        assert (again.status_code, again.json()["code"]) == (412, "file_changed")
+        wrong = client.put(path, content=changed.replace("handedness", "handednes"))
+        assert (wrong.status_code, wrong.json()["code"]) == (422, "file_wrong")
+        assert wrong.json()["detail"].startswith("lexicon/characters/reserved.yaml:")
+        made = client.put("/lexicon/files/gestures/own.gesture", content=gesture())
+        assert made.json() == {"name": "lexicon/gestures/own.gesture", "text": gesture(), "saved": True}
+        assert client.put("/lexicon/files/lexicon/face.yaml", content="").status_code == 404
+        assert len(client.get("/lexicon/files").json()["saved"]) == 2
+    assert own.read_text(encoding="utf-8") == changed
+
+
+def test_new_gestures_and_characters_are_checked_with_those_in_use(client: TestClient) -> None:
+    small = client.get("/lexicon/files/lexicon/gestures/small.gesture").json()["text"]
+    texts = {"characters/shy.yaml": "description: Shy.\n", "gestures/again.gesture": small}
+    mistakes = client.post("/rules/check", json={"files": texts}).json()["mistakes"]
+    assert any(each["file"] == "lexicon/characters/shy.yaml" and "handedness" in each["message"] for each in mistakes)
+    assert any("lexicon/gestures/again.gesture" in each["message"] for each in mistakes)
+
+
 def test_rules_are_saved_from_this_machine_alone(saving: FastAPI, tmp_path: Path) -> None:
     elsewhere = [
         ("http://127.0.0.1", "192.0.2.7"),
@@ -159,11 +189,12 @@ def test_rules_are_saved_from_this_machine_alone(saving: FastAPI, tmp_path: Path
     for address, host in elsewhere:
         with TestClient(saving, address, client=(host, 50000)) as client:
             assert client.put(f"/rules/files/{WORDS}", content="class: thanks\n").status_code == 403
+            assert client.put("/lexicon/files/gestures/own.gesture", content=gesture()).status_code == 403
     assert list(tmp_path.iterdir()) == []
 
 
 def test_a_file_to_be_saved_is_text_within_the_limit(nursery: Nursery, tmp_path: Path) -> None:
-    app = create_app(Settings(workers=1, part_bytes="rules=100"), nursery, rules_folder=tmp_path)
+    app = create_app(Settings(workers=1, part_bytes="rules=100"), nursery, author_folder=tmp_path)
     with TestClient(app, "http://localhost", client=("127.0.0.1", 50000)) as client:
         assert client.put(f"/rules/files/{WORDS}", content=b"\xff").json()["code"] == "text_not_utf8"
         assert client.put(f"/rules/files/{WORDS}", content=b"x" * 101).status_code == 413

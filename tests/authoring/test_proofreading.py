@@ -8,7 +8,8 @@ from types import MappingProxyType
 import pytest
 
 from understudy.authoring.catalogue import load_gestures
-from understudy.authoring.proofreading import check_coverage, check_files, check_files_in_use
+from understudy.authoring.file_checking import check_files
+from understudy.authoring.proofreading import check_coverage, check_files_in_use
 from understudy.errors import AuthoringError, InputError
 from understudy.model import Level
 from understudy.realizer.gestures.gesture import Expressivity
@@ -107,17 +108,29 @@ def test_good_files_are_counted(tmp_path: Path) -> None:
     assert check_files([tmp_path]) == 2
 
 
-def test_a_character_is_checked_against_the_table_beside_it(tmp_path: Path) -> None:
-    (tmp_path / "characters").mkdir()
+SHEET = "description: shy\nhandedness: left\ngestures_per_minute: 8\nbehaviors:\n  NAME: {amount: 0.1}\n"
+
+
+def test_a_character_is_checked_against_the_table_in_use_with_the_entries_beside_it(tmp_path: Path) -> None:
     sheet = tmp_path / "characters" / "shy.yaml"
-    sheet.write_text("description: shy\nbehaviors:\n  no_such_movement: {amount: 0.1}\n")
-    with pytest.raises(InputError) as missing:
-        check_files([sheet])
-    assert missing.value.code == "no_behavior_table"
-    (tmp_path / "behaviors.yaml").write_bytes((ROOT / "lexicon" / "behaviors.yaml").read_bytes())
+    sheet.parent.mkdir()
+    sheet.write_text(SHEET.replace("NAME", "shake"))
+    assert check_files([sheet]) == 1
+    sheet.write_text(SHEET.replace("NAME", "wag"))
     with pytest.raises(AuthoringError) as caught:
-        check_files([sheet])
-    assert {mistake.path for mistake in caught.value.mistakes} == {sheet}
+        check_files([tmp_path])
+    assert {(mistake.path, mistake.line) for mistake in caught.value.mistakes} == {(sheet, 5)}
+    entry = "wag: {channel: gesture, lexeme: BEAT, timing: gesture}"
+    (tmp_path / "behaviors.yaml").write_text(f"behaviors:\n  {entry}\n")
+    assert check_files([tmp_path]) == 2
+
+
+def test_a_gesture_that_there_is_already_is_told(tmp_path: Path) -> None:
+    gesture = tmp_path / "again.gesture"
+    gesture.write_bytes((ROOT / "lexicon" / "gestures" / "small.gesture").read_bytes())
+    with pytest.raises(AuthoringError) as caught:
+        check_files([gesture])
+    assert all("lexicon/gestures/again.gesture" in mistake.message for mistake in caught.value.mistakes)
 
 
 @pytest.mark.parametrize("content", [None, b"caf\xe9"])

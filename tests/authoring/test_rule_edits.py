@@ -2,7 +2,8 @@
 
 import pytest
 
-from understudy.authoring.rule_edits import compile_edits, editable_files, mistakes_in, with_edits
+from understudy.authoring.editable_files import RULE_FILES
+from understudy.authoring.rule_edits import compile_edits, mistakes_in, with_edits
 from understudy.errors import InputError
 from understudy.models import Understudy
 from understudy.rules.stage import find_functions
@@ -14,11 +15,11 @@ NEW_WORD = 'class: thanks\ngroups:\n  - example: "{} for that."\n    words: [zou
 
 
 def text_of(name: str) -> str:
-    return editable_files()[name].read_text(encoding="utf-8")
+    return RULE_FILES.files()[name].read_text(encoding="utf-8")
 
 
 def test_rules_words_and_priorities_can_be_edited_and_nothing_else() -> None:
-    names = editable_files().keys()
+    names = RULE_FILES.files().keys()
     assert {WORDS, AGREEMENT, "app/rules/functions/priorities.yaml", "app/rules/vocabulary.rules"} <= names
     assert all(name.startswith(("app/rules/", "lexicon/en/")) for name in names)
     assert "lexicon/en/abbreviations.yaml" not in names

@@ -8,7 +8,7 @@ import pytest
 
 import understudy as package
 from understudy.authored_folders import VARIABLE, laid_over, lexicon_folder, origin, rules_folder
-from understudy.authoring.proofreading import check_files
+from understudy.authoring.file_checking import check_files
 from understudy.authoring.rule_edits import mistakes_in
 from understudy.cli.main import main
 from understudy.errors import AuthoringError, InputError
@@ -127,6 +127,13 @@ def test_the_commands_list_what_the_folder_adds(own: Path, capsys: pytest.Captur
         ),
         ("app/rules/behaviors/own.rules", RULE),
         ("lexicon/en/own.yaml", "groups: []\n"),
+        ("en/own.yaml", FILES["lexicon/en/thanks_in_britain.yaml"].replace("thanks", "thank")),
+        ("rules/behaviors/own.rules", RULE.replace("wag", "shake")),
+        ("gestures/own.gesture", GESTURE.replace("symbol_1", "symbol1")),
+        ("characters/own.yaml", FILES["characters/stern.yaml"] + "behaviors:\n  gesture_negation: {lexeme: WAG}\n"),
+        ("characters/own.yaml", "description: Stern.\n"),
+        ("profiles/own.yaml", "description: Stern.\n"),
+        ("lexicon/acting/weights.yaml", "terms:\n  no_such_term: {any: 1}\n"),
     ],
 )
 def test_a_new_file_gets_the_same_answer_at_both_doors(tmp_path: Path, name: str, text: str) -> None:

@@ -20,6 +20,7 @@ _REASONS = {
     405: "The path does not support this method; `Allow` lists those that it does.",
     406: "`Accept` has none of the types that are answered.",
     408: "The body arrived too slowly.",
+    412: "The file is no longer what was read.",
     413: "Too large or too long.",
     415: "A type or format that is not read.",
     421: "The service has another name.",

@@ -27,6 +27,17 @@ def _known(operation_id: str, summary: str, response: str, statuses: frozenset[i
     return Operation(operation_id, AUTHORING, summary, answers, frozenset({401, 421, 500}) | statuses)
 
 
+def _saved(operation_id: str, summary: str) -> Operation:
+    return Operation(
+        operation_id,
+        AUTHORING,
+        summary,
+        answer("The file as it is saved.", named("RuleFileResponse")),
+        frozenset({400, 401, 403, 404, 408, 412, 413, 421, 422, 429, 500, 503, 504}),
+        {"text/plain": {"schema": {"type": "string"}}},
+    )
+
+
 AUTHORING_OPERATIONS: Mapping[tuple[str, str], Operation] = MappingProxyType(
     {
         ("get", "/gestures/language"): _known(
@@ -63,15 +74,20 @@ AUTHORING_OPERATIONS: Mapping[tuple[str, str], Operation] = MappingProxyType(
         ),
         ("get", "/rules/files"): _known("list_rule_files", "The files of rules and words", "RuleFilesResponse"),
         ("get", "/rules/files/{name}"): _known(
-            "read_rule_file", "A file of rules or words", "RuleFileResponse", frozenset({404})
+            "read_rule_file", "A file of rules or words", "RuleFileResponse", frozenset({404, 422})
         ),
-        ("put", "/rules/files/{name}"): Operation(
-            "save_rule_file",
-            AUTHORING,
-            "Save a file of rules or words",
-            answer("The file as it is saved.", named("RuleFileResponse")),
-            frozenset({400, 401, 403, 404, 408, 413, 421, 429, 500, 503}),
-            {"text/plain": {"schema": {"type": "string"}}},
+        ("put", "/rules/files/{name}"): _saved("save_rule_file", "Save a file of rules or words"),
+        ("get", "/lexicon/files"): _known(
+            "list_lexicon_files", "The files of gestures, characters, profiles and weights", "RuleFilesResponse"
+        ),
+        ("get", "/lexicon/files/{name}"): _known(
+            "read_lexicon_file",
+            "A file of gestures, a character, a profile or weights",
+            "RuleFileResponse",
+            frozenset({404, 422}),
+        ),
+        ("put", "/lexicon/files/{name}"): _saved(
+            "save_lexicon_file", "Save a file of gestures, a character, a profile or weights"
         ),
         ("post", "/rules/check"): _worked(
             "check_rules", "The mistakes of edited rules", "RuleEditsRequest", "RuleCheckResponse"

@@ -20,8 +20,6 @@ import numpy as np
 
 from ...authoring.catalogue import Catalogue, ItemKind
 from ...authoring.inspection import read_again
-from ...authoring.rule_edits import editable_files
-from ...authoring.rule_files import read_rule_text
 from ...errors import UnderstudyError
 from ...library.hearing import read_audio
 from ...library.motion import realize
@@ -35,7 +33,6 @@ from ...options import Options
 from ...resources import resource_folder
 from ...schemas.gestures.language import GestureLanguageResponse
 from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
-from ...schemas.rules import RuleFileResponse
 from .live_worker import stream
 from .messages import Fork, JobFailure, LoadedLibrary, Reload, Start, receive, send
 from .worker import work
@@ -157,7 +154,6 @@ def _library(understudy: Understudy) -> Mapping[str, bytes]:
         "/rules": rules.to_json(),
         "/lexicon": words.to_json(),
         "/gestures/language": GestureLanguageResponse.of(understudy.realizer.skeleton).to_json(),
-        **{f"/rules/files/{name}": RuleFileResponse.of(read_rule_text(name)).to_json() for name in editable_files()},
     }
 
 

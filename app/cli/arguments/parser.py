@@ -86,7 +86,11 @@ def add_studio(add: Adding) -> None:
     text.add_argument("--text-file", metavar="FILE", type=InputFile, help="a file that holds them")
     parser.add_argument("--scene", metavar="DIR", help="a scene for a table read: the folder that batch wrote to")
     parser.add_argument("--port", type=_port, default=0, help="port to listen on (default: one that is free)")
-    parser.add_argument("--rules", metavar="DIR", help="a folder in which the page may save edited rules and words")
+    parser.add_argument(
+        "--rules",
+        metavar="DIR",
+        help="a folder in which the page may save files that authors edit (default: that of --lexicon)",
+    )
     add_agitation_model(parser)
     _add_origins(parser)
     parser.add_argument("--no-browser", action="store_true", help="only say where the page is")

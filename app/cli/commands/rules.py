@@ -11,7 +11,8 @@ from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ...authoring.proofreading import check_files, check_files_in_use
+from ...authoring.file_checking import check_files
+from ...authoring.proofreading import check_files_in_use
 from ...errors import AuthoringError
 from ..files import read_bytes, write_standard
 from ..log import Log

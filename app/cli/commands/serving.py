@@ -44,7 +44,7 @@ def studio(arguments: argparse.Namespace, log: Log) -> int:
 
     folder = _rules_folder(arguments)
     return run_service(
-        settings, log, reload=arguments.reload, opened=scene or line, rules_folder=folder, when_started=show
+        settings, log, reload=arguments.reload, opened=scene or line, author_folder=folder, when_started=show
     )
 
 
