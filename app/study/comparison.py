@@ -1,4 +1,5 @@
-"""What is compared, and what raters are asked: the main paper's modes (§5), NGS's units and singletons (§4.1).
+"""What is compared, and what raters are asked: the main paper's modes (§5), NGS's units and singletons (§4.1) and its
+speakers (§3.5), RTS's ways from a voice to motion (§3.2), and the feeling in it, of which AHG announced a test (§5).
 
 The key of a study tells what each clip shows. It stays with the experimenter; raters must not see it.
 """
@@ -19,12 +20,33 @@ class Comparison(StrEnum):
 
     MODES = "modes"
     UNITS = "units"
+    WAYS = "ways"
+    AFFECT = "affect"
+    SPEAKERS = "speakers"
 
+
+OFFLINE, LIVE, RANDOM = "offline", "live", "random"
+"""Motion by a model for the whole recording, while it is heard, and units drawn at random (RTS §3.2)."""
+
+BOTH, PROSODY, AFFECT = "both", "prosody", "affect"
+"""What drives the motion (AHG §3: S1, S3, S5)."""
 
 CONDITIONS: Mapping[Comparison, tuple[str, ...]] = MappingProxyType(
-    {Comparison.MODES: tuple(mode.value for mode in Mode), Comparison.UNITS: (UNITS, SINGLETONS)}
+    {
+        Comparison.MODES: tuple(mode.value for mode in Mode),
+        Comparison.UNITS: (UNITS, SINGLETONS),
+        Comparison.WAYS: (OFFLINE, LIVE, RANDOM),
+        Comparison.AFFECT: (BOTH, PROSODY, AFFECT),
+        Comparison.SPEAKERS: (),
+    }
 )
-"""The clips of a line, in the order of the papers' tables."""
+"""The clips of a line, in the order of the papers' tables; speakers have the names of their profiles."""
+
+PAIRED = frozenset({Comparison.WAYS, Comparison.AFFECT})
+"""Those in which raters prefer one of two clips, or none, and by how much."""
+
+MUCH = 2
+"""Much better on the scale of preferences: from -2, the first much better, to 2, the second (RTS §3.2)."""
 
 LOWEST, HIGHEST = 1, 10
 """The grades of the form: not at all appropriate, very appropriate (§5)."""

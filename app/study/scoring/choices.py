@@ -3,47 +3,54 @@ friendly, nervous, extroverted, competent, trustworthy.
 
 Undecided answers are counted and then left out. The t test of a dimension is of the raters' shares of U among their
 decided answers against one half, one-tailed for naturalness, which units were expected to raise, two-tailed for the
-others; a rater who never decided is left out of it, as in the paper. Two dimensions go together if the same version is
-chosen for both more often than not: a χ² test of equal against unequal decisions, where both were decided (Table 1).
+others; a rater who never decided is left out of it, as in the paper. Whether shares are normal is tested (Lilliefors),
+groups of raters are compared by Mann-Whitney's test, and how much was understood by two factors. Two dimensions go
+together if the same version is chosen for both more often than not: a χ² test of equal against unequal decisions, where
+both were decided (Table 1).
 All tests are scipy's.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
-from statistics import fmean, pstdev
+from statistics import fmean
+from types import MappingProxyType
 
 from scipy import stats
 
 from ...errors import InputError
 from ..comparison import DIMENSIONS, NATURAL, UNITS
-from .reading import Verdict, by_rater
+from .reading import Understanding, Verdict, by_rater
+from .samples import (
+    FEWEST,
+    Effect,
+    GroupDifference,
+    Normality,
+    TTest,
+    by_group,
+    group_differences,
+    normality,
+    one_sample_t,
+    two_factors,
+)
 
-FEWEST_RATERS = 2
 CHANCE = 0.5
 FEWEST_TRIALS = 10
 """For χ², of which five of each kind are to be expected; of fewer the binomial test is exact."""
 
 
 @dataclass(frozen=True, slots=True)
-class TTest:
-    """t, its degrees of freedom, and p; `tails` are 1 or 2."""
-
-    t: float
-    freedom: int
-    p: float
-    tails: int
-
-
-@dataclass(frozen=True, slots=True)
 class DimensionStatistics:
     """The share of U among decided answers, the share of undecided answers (None if nobody decided), and the t test of
-    a preference; None if all raters have the same share, or only one decided."""
+    a preference; None if all raters have the same share, or only one decided. Whether the raters' shares are normal,
+    and whether groups of raters differ, where there are some."""
 
     answers: int
     units: float | None
     undecided: float
     test: TTest | None
+    normality: Normality | None = None
+    groups: tuple[GroupDifference, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,51 +69,68 @@ class Agreement:
 @dataclass(frozen=True, slots=True)
 class ChoiceStatistics:
     """A study of units: who and what was counted, each dimension, each two of them that were decided together, and the
-    shares of 1, 2 and 3 in how much was understood, empty where that was not asked."""
+    shares of 1, 2 and 3 in how much was understood, empty where that was not asked. `understanding` says whether it
+    and the dimension change which version is chosen: the variance of raters' shares of U by both."""
 
     raters: int
     lines: int
     dimensions: Mapping[str, DimensionStatistics]
     agreements: tuple[Agreement, ...]
     understood: Mapping[int, float]
+    understanding: tuple[Effect, ...] = ()
 
 
-def choice_statistics(verdicts: Sequence[Verdict], understood: Sequence[int] = ()) -> ChoiceStatistics:
-    """The statistics of a study; raises InputError `too_few_answers` for fewer than two raters."""
+def choice_statistics(
+    verdicts: Sequence[Verdict],
+    understood: Sequence[Understanding] = (),
+    groups: Mapping[str, str] = MappingProxyType({}),
+) -> ChoiceStatistics:
+    """The statistics of a study, whose raters are of these groups; raises InputError `too_few_answers` for fewer than
+    two raters."""
     raters = by_rater(verdicts)
-    if len(raters) < FEWEST_RATERS:
-        message = f"{len(raters)} raters answered; {FEWEST_RATERS} at least are needed"
+    if len(raters) < FEWEST:
+        message = f"{len(raters)} raters answered; {FEWEST} at least are needed"
         raise InputError("too_few_answers", message, field="answers")
     own = {name: [each for each in verdicts if each.dimension == name] for name in DIMENSIONS}
+    levels = [each.level for each in understood]
     return ChoiceStatistics(
         raters=len(raters),
         lines=len({each.line for each in verdicts}),
-        dimensions={name: _dimension(name, found) for name, found in own.items() if found},
+        dimensions={name: _dimension(name, found, groups) for name, found in own.items() if found},
         agreements=tuple(_agreements(verdicts)),
-        understood={level: understood.count(level) / len(understood) for level in sorted(set(understood))},
+        understood={level: levels.count(level) / len(levels) for level in sorted(set(levels))},
+        understanding=_understanding(verdicts, understood),
     )
 
 
-def one_sample_t(values: Sequence[float], expected: float, *, tails: int = 2) -> TTest | None:
-    """Student's test of a mean against what is expected, one-tailed of its being greater; None where there is no
-    variance, or one value alone."""
-    if len(values) < FEWEST_RATERS or not pstdev(values):
-        return None
-    alternative = "two-sided" if tails == 2 else "greater"
-    found = stats.ttest_1samp(values, expected, alternative=alternative)
-    return TTest(float(found.statistic), len(values) - 1, float(found.pvalue), tails)
-
-
-def _dimension(name: str, verdicts: Sequence[Verdict]) -> DimensionStatistics:
+def _dimension(name: str, verdicts: Sequence[Verdict], groups: Mapping[str, str]) -> DimensionStatistics:
     decided = [each for each in verdicts if each.chosen is not None]
-    shares = [_share(own) for own in by_rater(decided).values()]
-    test = one_sample_t(shares, CHANCE, tails=1 if name == NATURAL else 2)
+    shares = {rater: _share(own) for rater, own in by_rater(decided).items()}
+    test = one_sample_t([*shares.values()], CHANCE, tails=1 if name == NATURAL else 2)
     return DimensionStatistics(
         answers=len(verdicts),
         units=_share(decided) if decided else None,
         undecided=1 - len(decided) / len(verdicts),
         test=test,
+        normality=normality([*shares.values()]),
+        groups=group_differences(by_group(shares, groups)),
     )
+
+
+def _understanding(verdicts: Iterable[Verdict], understood: Iterable[Understanding]) -> tuple[Effect, ...]:
+    """Two factors, how much was understood and the dimension (NGS §4.2); a value is a rater's share of U in both."""
+    level_of = {(each.rater, each.line): str(each.level) for each in understood}
+    cells: dict[tuple[str, str, str], list[Verdict]] = {}
+    for each in verdicts:
+        level = level_of.get((each.rater, each.line))
+        if level is not None and each.chosen is not None:
+            cells.setdefault((level, each.dimension, each.rater), []).append(each)
+    named = {"first": "understanding", "second": "dimension", "both": "both together"}
+    values = [_share(own) for own in cells.values()]
+    if not values:
+        return ()
+    found = two_factors(values, [level for level, _, _ in cells], [dimension for _, dimension, _ in cells])
+    return tuple(replace(each, name=named[each.name]) for each in found)
 
 
 def _share(decided: Iterable[Verdict]) -> float:

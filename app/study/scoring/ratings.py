@@ -10,15 +10,17 @@ The analysis of variance is one-way and the comparison afterwards Tukey's HSD (T
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import combinations
 from statistics import fmean, stdev
+from types import MappingProxyType
 
 from scipy import stats
 
 from ...errors import InputError
 from ..comparison import CONDITIONS, Comparison, RaterChoice
 from .reading import Rating, by_rater
+from .samples import GroupDifference, Normality, by_group, group_differences, normality
 
 FEWEST_RATERS = 2
 CONFIDENCE = 0.95
@@ -80,7 +82,8 @@ class Preference:
 class RatingStatistics:
     """A study of modes: who and what was counted, the ratings, the same normalised, which clip of a line had the
     highest and the lowest grade, and which raters said was best and worst, None where none was asked. `incomplete`
-    counts lines of a rater that lack a rating."""
+    counts lines of a rater that lack a rating. By condition: whether raters' means are normal, and whether groups of
+    raters differ."""
 
     raters: int
     lines: int
@@ -90,10 +93,13 @@ class RatingStatistics:
     normalised: Variance
     by_grade: Mapping[str, Preference]
     by_choice: Mapping[str, Preference] | None
+    normality: Mapping[str, Normality | None] = field(default_factory=dict)
+    groups: Mapping[str, tuple[GroupDifference, ...]] = field(default_factory=dict)
 
 
-def rating_statistics(ratings: Sequence[Rating]) -> RatingStatistics:
-    """The statistics of a study; raises InputError `too_few_answers` for fewer than two raters of whole lines."""
+def rating_statistics(ratings: Sequence[Rating], groups: Mapping[str, str] = MappingProxyType({})) -> RatingStatistics:
+    """The statistics of a study, whose raters are of these groups; raises InputError `too_few_answers` for fewer than
+    two raters of whole lines."""
     conditions = CONDITIONS[Comparison.MODES]
     every = _trials(ratings)
     trials = {name: trial for name, trial in every.items() if len(trial) == len(conditions)}
@@ -114,6 +120,11 @@ def rating_statistics(ratings: Sequence[Rating]) -> RatingStatistics:
         normalised=variance(shares),
         by_grade=_by_grade(trials.values(), conditions),
         by_choice=_by_choice(whole, conditions),
+        normality={name: normality(values) for name, values in means.items()},
+        groups={
+            name: group_differences(by_group(dict(zip(raters, values, strict=True)), groups))
+            for name, values in means.items()
+        },
     )
 
 

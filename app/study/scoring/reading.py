@@ -3,15 +3,20 @@
 A file of ratings has the columns `rater`, `rating` (1 to 10) and `clip`, the name of the clip as the page has it, or
 instead of it `line` and `condition`; `choice` (best, worst or empty) may be there. A file of comparisons has `rater`,
 `dimension`, `answer` (A, B or undecided) and `a` and `b`, the two clips, or instead of them `line`, and U or S for an
-answer. What a clip shows is in the key that `understudy study make` wrote (columns `clip`, `line`, `condition`).
+answer. A file of preferences has `rater`, `preference` (-2, the first much better, to 2) and `a` and `b`, or instead of
+them `line`, `first` and `second`. A file of speakers has `rater`, `answer` (a speaker) and `clip`, or `line` and
+`speaker`, and `beside`, the other clip that was seen with it, or empty. Any file may have `group`, that of the rater.
+What a clip shows is in the key that `understudy study make` wrote (columns `clip`, `line`, `condition`).
 """
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from math import nan
 from pathlib import Path
 from typing import TypeVar
 
 from ..comparison import (
+    AFFECT,
     CONDITIONS,
     DIMENSIONS,
     HIGHEST,
@@ -19,6 +24,9 @@ from ..comparison import (
     KEY_NAME,
     LOWEST,
     MOST_UNDERSTOOD,
+    MUCH,
+    PAIRED,
+    PROSODY,
     UNDECIDED,
     UNDERSTOOD,
     Comparison,
@@ -51,13 +59,51 @@ class Verdict:
 
 
 @dataclass(frozen=True, slots=True)
+class Understanding:
+    """How much of a line's speech a rater understood, from 1 to `MOST_UNDERSTOOD`."""
+
+    rater: str
+    line: str
+    level: int
+
+
+@dataclass(frozen=True, slots=True)
+class Preferred:
+    """How much better a rater found the second of two clips of a line, from -`MUCH` to `MUCH`."""
+
+    rater: str
+    line: str
+    first: str
+    second: str
+    preference: float
+
+
+@dataclass(frozen=True, slots=True)
+class Named:
+    """Whose gestures a rater took a speaker's for, seen alone or `beside` another's."""
+
+    rater: str
+    line: str
+    speaker: str
+    answer: str
+    beside: bool
+
+    @property
+    def is_right(self) -> bool:
+        return self.answer == self.speaker
+
+
+@dataclass(frozen=True, slots=True)
 class Answers:
-    """The answers of all files, of one comparison; `understood` is how much was understood, answer by answer."""
+    """The answers of all files, of one comparison, and the groups of raters who are of one."""
 
     comparison: Comparison
     ratings: tuple[Rating, ...] = ()
     verdicts: tuple[Verdict, ...] = ()
-    understood: tuple[int, ...] = ()
+    understood: tuple[Understanding, ...] = ()
+    preferred: tuple[Preferred, ...] = ()
+    named: tuple[Named, ...] = ()
+    groups: Mapping[str, str] = field(default_factory=dict)
 
 
 def read_answers(paths: Sequence[Path], key: Path | None = None) -> Answers:
@@ -67,11 +113,12 @@ def read_answers(paths: Sequence[Path], key: Path | None = None) -> Answers:
     Raises AnswersError with every mistake, and as `read_table` does.
     """
     tables = [read_table(path) for path in paths]
-    kinds = [_comparison(table) for table in tables]
+    told = _key(paths, key)
+    kinds = [_comparison(table, told) for table in tables]
     if len(set(kinds)) > 1:
         message = f"answers about {kinds[-1]}, and those of {paths[0]} are about {kinds[0]}; score them apart"
         raise AnswersError([CellMistake(paths[-1], 1, message)])
-    reading = _Reading(kinds[0], _key(paths, key))
+    reading = _Reading(kinds[0], told)
     for table in tables:
         reading.read(table)
     return reading.answers()
@@ -83,18 +130,36 @@ def read_key(path: Path) -> Key:
     table.require(KEY_COLUMNS)
     known = {condition for conditions in CONDITIONS.values() for condition in conditions}
     wrong = [row for row in table.rows if row.cells["condition"] not in known]
-    if wrong:
+    if 0 < len(wrong) < len(table.rows):  # of speakers, whose names may be any, all are
         raise AnswersError(row.refused("condition", f"give one of {', '.join(sorted(known))}") for row in wrong)
     return {row.cells["clip"]: Shown(row.cells["line"], row.cells["condition"]) for row in table.rows}
 
 
-def _comparison(table: Table) -> Comparison:
-    """The comparison that a file's columns belong to; raises AnswersError if they fit neither."""
+def _comparison(table: Table, key: Key | None) -> Comparison:
+    """The comparison that a file's columns belong to; raises AnswersError if they fit none."""
     if "dimension" in table.columns:
         table.require(("rater", "dimension", "answer"))
         return Comparison.UNITS
+    if "preference" in table.columns:
+        table.require(("rater", "preference"))
+        told = {row.cells.get(name) for row in table.rows for name in ("first", "second")}
+        shown = {each.condition for each in (key or {}).values()} if "a" in table.columns else told
+        return Comparison.AFFECT if shown & {AFFECT, PROSODY} else Comparison.WAYS
+    if "answer" in table.columns:
+        table.require(("rater", "answer"))
+        return Comparison.SPEAKERS
     table.require(("rater", "rating"))
     return Comparison.MODES
+
+
+_CLIPS = {Comparison.MODES: ("clip",), Comparison.SPEAKERS: ("clip",)}
+_NAMED = {
+    Comparison.MODES: ("line", "condition"),
+    Comparison.UNITS: ("line",),
+    Comparison.SPEAKERS: ("line", "speaker"),
+}
+"""The columns that say what was shown, by clips and by name; of pairs they are those below."""
+_TWO_CLIPS, _TWO_NAMES = ("a", "b"), ("line", "first", "second")
 
 
 def _key(paths: Sequence[Path], named: Path | None) -> Key | None:
@@ -112,59 +177,77 @@ class _Reading:
         self._mistakes: list[CellMistake] = []
         self._ratings: list[Rating] = []
         self._verdicts: list[Verdict] = []
-        self._understood: list[int] = []
+        self._understood: list[Understanding] = []
+        self._preferred: list[Preferred] = []
+        self._named: list[Named] = []
+        self._groups: dict[str, str] = {}
         self._first: dict[tuple[str, ...], TableRow] = {}
 
     def read(self, table: Table) -> None:
         """Reads every row; raises AnswersError where the columns do not say what clips show."""
-        clips = ("clip",) if self._comparison is Comparison.MODES else ("a", "b")
-        named = ("line", "condition") if self._comparison is Comparison.MODES else ("line",)
+        clips, named = _CLIPS.get(self._comparison, _TWO_CLIPS), _NAMED.get(self._comparison, _TWO_NAMES)
         if self._key is None and any(name in table.columns for name in clips):
             message = f"clips by name, and no {KEY_NAME} near to tell what they show; give --key the one of study make"
             raise AnswersError([CellMistake(table.path, 1, message)])
         table.require(clips if self._key is not None and clips[0] in table.columns else named)
-        read_row = self._rating if self._comparison is Comparison.MODES else self._verdict
+        paired = dict.fromkeys(PAIRED, self._preference)
+        one_of = {Comparison.MODES: self._rating, Comparison.UNITS: self._verdict, Comparison.SPEAKERS: self._naming}
         for row in table.rows:
-            if not row.cells["rater"]:
-                self._mistakes.append(row.wrong("rater", "empty; every answer is somebody's"))
-            read_row(row)
+            self._rater(row)
+            (one_of | paired)[self._comparison](row)
+
+    def _rater(self, row: TableRow) -> None:
+        rater, group = row.cells["rater"], row.cells.get("group", "")
+        if not rater:
+            self._mistakes.append(row.wrong("rater", "empty; every answer is somebody's"))
+        elif group and self._groups.setdefault(rater, group) != group:
+            self._mistakes.append(row.refused("group", f"rater {rater} is of group {self._groups[rater]} elsewhere"))
 
     def answers(self) -> Answers:
         """The answers; raises AnswersError with every mistake."""
         if self._mistakes:
             raise AnswersError(self._mistakes)
-        return Answers(self._comparison, tuple(self._ratings), tuple(self._verdicts), tuple(self._understood))
+        return Answers(
+            self._comparison,
+            tuple(self._ratings),
+            tuple(self._verdicts),
+            tuple(self._understood),
+            tuple(self._preferred),
+            tuple(self._named),
+            dict(self._groups),
+        )
 
     def _rating(self, row: TableRow) -> None:
-        clip = self._clip(row, "clip") if "clip" in row.cells else self._told(row)
-        grade, choice = self._grade(row), self._choice(row)
+        clip = self._clip(row, "clip") if "clip" in row.cells else self._condition(row)
+        grade, choice = self._number(row, "rating", LOWEST, HIGHEST), self._choice(row)
         if clip is None or grade is None or choice is None:
             return
         if self._is_new(row, row.cells["rater"], clip.line, clip.condition):
             self._ratings.append(Rating(row.cells["rater"], clip.line, clip.condition, grade, choice))
 
-    def _told(self, row: TableRow) -> Shown | None:
-        condition, known = row.cells["condition"], CONDITIONS[Comparison.MODES]
+    def _condition(self, row: TableRow, name: str = "condition") -> Shown | None:
+        condition, known = row.cells[name], CONDITIONS[self._comparison]
         if condition not in known:
-            self._mistakes.append(row.refused("condition", f"give one of {', '.join(known)}"))
+            self._mistakes.append(row.refused(name, f"give one of {', '.join(known)}"))
             return None
         return Shown(row.cells["line"], condition)
 
     def _clip(self, row: TableRow, name: str) -> Shown | None:
         shown = (self._key or {}).get(row.cells[name])
-        if shown is None or shown.condition not in CONDITIONS[self._comparison]:
+        known = CONDITIONS[self._comparison]
+        if shown is None or (known and shown.condition not in known):
             self._mistakes.append(row.refused(name, "the key has no such clip; is it that of another study?"))
             return None
         return shown
 
-    def _grade(self, row: TableRow) -> float | None:
+    def _number(self, row: TableRow, name: str, lowest: float, highest: float) -> float | None:
         try:
-            grade = float(row.cells["rating"])
+            number = float(row.cells[name])
         except ValueError:
-            grade = LOWEST - 1
-        if LOWEST <= grade <= HIGHEST:
-            return grade
-        self._mistakes.append(row.refused("rating", f"give a number from {LOWEST} to {HIGHEST}"))
+            number = nan
+        if lowest <= number <= highest:
+            return number
+        self._mistakes.append(row.refused(name, f"give a number from {lowest} to {highest}"))
         return None
 
     def _choice(self, row: TableRow) -> RaterChoice | None:
@@ -186,7 +269,9 @@ class _Reading:
     def _understanding(self, row: TableRow) -> None:
         answer = row.cells["answer"]
         if answer in map(str, range(1, MOST_UNDERSTOOD + 1)):
-            self._understood.append(int(answer))
+            clip = self._clip(row, "a") if "a" in row.cells else Shown(row.cells["line"], "")
+            if clip is not None and self._is_new(row, row.cells["rater"], clip.line, UNDERSTOOD):
+                self._understood.append(Understanding(row.cells["rater"], clip.line, int(answer)))
         else:
             self._mistakes.append(row.refused("answer", f"give 1 to {MOST_UNDERSTOOD} for {UNDERSTOOD}"))
 
@@ -205,6 +290,28 @@ class _Reading:
         elif self._is_new(row, row.cells["rater"], line, dimension):
             self._verdicts.append(Verdict(row.cells["rater"], line, dimension, choices.get(answer)))
 
+    def _preference(self, row: TableRow) -> None:
+        if "a" in row.cells:
+            first, second = self._clip(row, "a"), self._clip(row, "b")
+        else:
+            first, second = self._condition(row, "first"), self._condition(row, "second")
+        preference = self._number(row, "preference", -MUCH, MUCH)
+        if first is None or second is None or preference is None:
+            return
+        if self._is_new(row, row.cells["rater"], first.line, *sorted((first.condition, second.condition))):
+            answer = Preferred(row.cells["rater"], first.line, first.condition, second.condition, preference)
+            self._preferred.append(answer)
+
+    def _naming(self, row: TableRow) -> None:
+        by_clip = "clip" in row.cells
+        shown = self._clip(row, "clip") if by_clip else Shown(row.cells["line"], row.cells["speaker"])
+        beside, answer = bool(row.cells.get("beside")), row.cells["answer"]
+        speakers = {each.condition for each in (self._key or {}).values()} if by_clip else {answer}
+        if not answer or answer not in speakers:
+            self._mistakes.append(row.refused("answer", f"give a speaker: {', '.join(sorted(speakers)) or 'by name'}"))
+        elif shown is not None and self._is_new(row, row.cells["rater"], shown.line, shown.condition, str(beside)):
+            self._named.append(Named(row.cells["rater"], shown.line, shown.condition, answer, beside))
+
     def _is_new(self, row: TableRow, *answered: str) -> bool:
         """Whether nobody has answered this before; the same answer twice is a mistake."""
         first = self._first.setdefault(answered, row)
@@ -214,7 +321,7 @@ class _Reading:
         return first is row
 
 
-Answer = TypeVar("Answer", Rating, Verdict)
+Answer = TypeVar("Answer", Rating, Verdict, Preferred, Named)
 
 
 def by_rater(answers: Iterable[Answer]) -> dict[str, list[Answer]]:

@@ -1,15 +1,18 @@
 """Statistics as the papers' tables, in Markdown, which is also what a terminal shows, and as JSON."""
 
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict
 
 from ..comparison import DIMENSIONS, SINGLETONS, UNITS, Comparison
 from .choices import Agreement, ChoiceStatistics, DimensionStatistics, choice_statistics
+from .preferences import PreferenceStatistics, preference_statistics
 from .ratings import Preference, RatingStatistics, Variance, rating_statistics
 from .reading import Answers
+from .recognition import ALONE, BESIDE, RecognitionStatistics, recognition_statistics
+from .samples import GroupDifference, Normality, TTest
 
-Statistics = RatingStatistics | ChoiceStatistics
+Statistics = RatingStatistics | ChoiceStatistics | PreferenceStatistics | RecognitionStatistics
 
 SIGNIFICANT = 0.05
 SMALLEST_P = 0.001
@@ -22,7 +25,15 @@ def report_json(statistics: Statistics) -> bytes:
 
 def report_markdown(statistics: Statistics) -> str:
     """The tables."""
-    lines = _ratings(statistics) if isinstance(statistics, RatingStatistics) else _choices(statistics)
+    match statistics:
+        case RatingStatistics():
+            lines = _ratings(statistics)
+        case ChoiceStatistics():
+            lines = _choices(statistics)
+        case PreferenceStatistics():
+            lines = _preferences(statistics)
+        case RecognitionStatistics():
+            lines = _recognition(statistics)
     return "\n".join(lines) + "\n"
 
 
@@ -38,6 +49,7 @@ def _ratings(found: RatingStatistics) -> Iterator[str]:
     )
     for title, variance in (("as rated", found.graded), ("normalised by rater", found.normalised)):
         yield from _variance(title, variance)
+    yield from _samples({name: (found.normality.get(name), found.groups.get(name, ())) for name in found.graded.means})
 
 
 def _rating_row(name: str, found: RatingStatistics, asked: Preference | None) -> list[str]:
@@ -84,15 +96,95 @@ def _choices(found: ChoiceStatistics) -> Iterator[str]:
         yield ""
         told = ", ".join(f"{level}: {_percent(share)}" for level, share in found.understood.items())
         yield f"How much of the speech was understood, from 1 (nothing) to 3 (all): {told}"
+    if found.understanding:
+        yield ""
+        yield "Shares of U by how much was understood and by dimension, two-factor ANOVA:"
+        rows = [
+            [each.name, f"F({each.between}, {each.within}) = {each.f:.2f}", *_judged(each.p)]
+            for each in found.understanding
+        ]
+        yield from _table(("factor", "F", "p", "significant"), rows)
+    yield from _samples({name: (each.normality, each.groups) for name, each in found.dimensions.items()})
+
+
+def _preferences(found: PreferenceStatistics) -> Iterator[str]:
+    yield f"{found.raters} raters, {found.lines} lines; from -2, the first much better, to 2, the second"
+    rows = [
+        [
+            f"{each.first} versus {each.second}" if each.first != each.second else f"{each.first} twice",
+            str(each.answers),
+            f"{each.mean:+.2f} ({each.deviation:.2f})",
+            _percent(each.neither),
+            *_t_test(each.test),
+            "-" if each.wilcoxon_p is None else _p(each.wilcoxon_p),
+        ]
+        for each in found.pairs
+    ]
+    yield from _table(("pair", "answers", "mean (sd)", "neither", "t test", "p", "significant", "Wilcoxon"), rows)
+    yield from _samples({f"{each.first}, {each.second}": (each.normality, each.groups) for each in found.pairs})
+
+
+def _recognition(found: RecognitionStatistics) -> Iterator[str]:
+    yield f"{found.raters} raters, {found.lines} lines, speakers {', '.join(found.speakers)}"
+    titles = {ALONE: "1, seen alone", BESIDE: "2, side by side"}
+    rows = [
+        [
+            titles[number],
+            str(test.answers),
+            _percent(test.right),
+            _percent(test.chance),
+            *_t_test(test.test),
+            _p(test.binomial_p),
+        ]
+        for number, test in found.tests.items()
+    ]
+    yield from _table(("test", "answers", "right", "by chance", "t test", "p", "significant", "binomial"), rows)
+    for number, test in found.tests.items():
+        yield ""
+        told = ", ".join(f"{name} {count}" for name, count in sorted(test.taken.items()))
+        yield f"Test {titles[number]}; who was taken for whom: {told}"
+    yield from _samples({f"test {number}": (test.normality, test.groups) for number, test in found.tests.items()})
+
+
+def _samples(tests: Mapping[str, tuple[Normality | None, Sequence[GroupDifference]]]) -> Iterator[str]:
+    """Whether raters' values are normal, and whether groups of raters differ, for each thing that was tested."""
+    fitted = [
+        [name, f"{each.distance:.3f}", *_judged(each.p, ("no", "yes"))] for name, (each, _) in tests.items() if each
+    ]
+    if fitted:
+        yield ""
+        yield "Normality of the raters' values (Kolmogorov-Smirnov, Lilliefors):"
+        yield from _table(("of", "D", "p", "normal"), fitted)
+    compared = [(name, each) for name, (_, differences) in tests.items() for each in differences]
+    if compared:
+        yield ""
+        yield "Groups of raters (Mann-Whitney):"
+        rows = [
+            [
+                name,
+                f"{each.first} ({each.sizes[0]}), {each.second} ({each.sizes[1]})",
+                f"U = {each.u:g}",
+                *_judged(each.p),
+            ]
+            for name, each in compared
+        ]
+        yield from _table(("of", "groups", "U", "p", "significant"), rows)
+
+
+def _judged(p: float, words: tuple[str, str] = ("yes", "no")) -> list[str]:
+    return [_p(p), words[0] if p < SIGNIFICANT else words[1]]
+
+
+def _t_test(test: TTest | None) -> list[str]:
+    if test is None:
+        return ["-", "-", "-"]
+    return [f"t({test.freedom}) = {test.t:.4f}, {test.tails}-tailed", *_judged(test.p)]
 
 
 def _dimension_row(name: str, found: DimensionStatistics) -> list[str]:
-    test, units = found.test, found.units
+    units = found.units
     shares = ["-", "-"] if units is None else [_percent(units), _percent(1 - units)]
-    if test is None:
-        return [name, *shares, _percent(found.undecided), "-", "-", "-"]
-    told = f"t({test.freedom}) = {test.t:.4f}, {test.tails}-tailed"
-    return [name, *shares, _percent(found.undecided), told, _p(test.p), "yes" if test.p < SIGNIFICANT else "no"]
+    return [name, *shares, _percent(found.undecided), *_t_test(found.test)]
 
 
 def _agreements(agreements: Iterable[Agreement]) -> Iterator[str]:
@@ -122,8 +214,13 @@ def _p(p: float) -> str:
     return f"p < {SMALLEST_P:g}" if p < SMALLEST_P else f"p = {p:.3f}"
 
 
-def score(answers: Answers) -> RatingStatistics | ChoiceStatistics:
+def score(answers: Answers) -> Statistics:
     """The statistics of a study; raises InputError `too_few_answers`."""
-    if answers.comparison is Comparison.MODES:
-        return rating_statistics(answers.ratings)
-    return choice_statistics(answers.verdicts, answers.understood)
+    match answers.comparison:
+        case Comparison.MODES:
+            return rating_statistics(answers.ratings, answers.groups)
+        case Comparison.UNITS:
+            return choice_statistics(answers.verdicts, answers.understood, answers.groups)
+        case Comparison.SPEAKERS:
+            return recognition_statistics(answers.named, answers.groups)
+    return preference_statistics(answers.comparison, answers.preferred, answers.groups)

@@ -6,8 +6,9 @@ import pytest
 
 from understudy.errors import InputError
 from understudy.study.comparison import DIMENSIONS
-from understudy.study.scoring.choices import choice_statistics, one_sample_t
-from understudy.study.scoring.reading import Verdict
+from understudy.study.scoring.choices import choice_statistics
+from understudy.study.scoring.reading import Understanding, Verdict
+from understudy.study.scoring.samples import one_sample_t
 
 # The additional hours of sleep by the second drug over the first (Student 1908): t(9) = 4.0621, p = .002833.
 SLEEP_H = [1.2, 2.4, 1.3, 1.3, 0.0, 1.0, 1.8, 0.8, 4.6, 1.4]
@@ -84,7 +85,13 @@ def test_a_taste_for_units_is_found() -> None:
             for dimension in DIMENSIONS:
                 chosen = "U" if rng.random() < likely.get(dimension, 0.5) else "S"
                 verdicts.append(Verdict(f"r{rater}", f"l{line}", dimension, None if rng.random() < 0.2 else chosen))
-    found = choice_statistics(verdicts, [3, 3, 2, 1])
+    understood = [
+        Understanding(f"r{rater}", f"l{line}", 3 if line < 6 else 1 + line % 2)
+        for rater in range(25)
+        for line in range(11)
+    ]
+    groups = {f"r{rater}": "DE" if rater < 14 else "US" for rater in range(25)}
+    found = choice_statistics(verdicts, understood, groups)
     tests = {name: each.test for name, each in found.dimensions.items()}
     assert all(tests[name] is not None for name in DIMENSIONS)
     told = {name: (test.t, test.p) for name, test in tests.items() if test}
@@ -96,7 +103,13 @@ def test_a_taste_for_units_is_found() -> None:
     opposite = next(each for each in found.agreements if (each.first, each.second) == ("friendly", "nervous"))
     assert opposite.alike < 0.5
     assert opposite.p < 0.05
-    assert found.understood == {1: 0.25, 2: 0.25, 3: 0.5}
+    assert found.understood == pytest.approx({1: 3 / 11, 2: 2 / 11, 3: 6 / 11})
+    effects = {each.name: each.p for each in found.understanding}
+    assert effects["dimension"] < 0.001
+    assert effects["understanding"] > 0.01, "it decides nothing here, as in the paper"
+    (groups_differ,) = found.dimensions["natural"].groups
+    assert (groups_differ.first, groups_differ.second, groups_differ.sizes) == ("DE", "US", (14, 11))
+    assert found.dimensions["natural"].normality is not None
 
 
 def test_one_rater_is_too_few() -> None:

@@ -6,7 +6,7 @@ import pytest
 
 from understudy.errors import InputError
 from understudy.study.comparison import Comparison, RaterChoice
-from understudy.study.scoring.reading import Rating, Verdict, read_answers
+from understudy.study.scoring.reading import Named, Preferred, Rating, Understanding, Verdict, read_answers
 from understudy.study.scoring.tables import AnswersError
 
 KEY = "clip,line,condition\nk1,one,semantic\nk2,one,prosody\nk3,one,random\nk4,two,U\nk5,two,S\n"
@@ -66,13 +66,35 @@ def test_comparisons_are_told_by_the_key(tmp_path: Path) -> None:
         Verdict("1", "two", "nervous", "S"),
         Verdict("1", "two", "friendly", None),
     )
-    assert answers.understood == (3,)
+    assert answers.understood == (Understanding("1", "two", 3),)
 
 
 def test_comparisons_of_other_forms_name_the_versions(tmp_path: Path) -> None:
     content = "rater,line,dimension,answer\n1,two,natural,U\n1,two,nervous,undecided\n"
     answers = read_answers([_file(tmp_path, "a.csv", content)])
     assert answers.verdicts == (Verdict("1", "two", "natural", "U"), Verdict("1", "two", "nervous", None))
+
+
+def test_preferences_and_speakers_are_read_with_their_groups(tmp_path: Path) -> None:
+    key = "clip,line,condition\nk1,one,live\nk2,one,random\n"
+    content = "rater,group,a,b,preference\n1,DE,k2,k1,-2\n2,,k1,k2,0\n"
+    answers = read_answers([_file(tmp_path, "p.csv", content)], _file(tmp_path, "pairs.csv", key))
+    assert answers.comparison is Comparison.WAYS
+    assert answers.preferred[0] == Preferred("1", "one", "random", "live", -2)
+    assert answers.groups == {"1": "DE"}
+    named = "rater,line,first,second,preference\n1,one,both,affect,1.5\n"
+    assert read_answers([_file(tmp_path, "n.csv", named)]).comparison is Comparison.AFFECT
+    key = "clip,line,condition\nk1,one,JL\nk2,one,MR\n"
+    content = "rater,clip,beside,answer\n1,k1,,MR\n1,k2,k1,MR\n"
+    answers = read_answers([_file(tmp_path, "s.csv", content)], _file(tmp_path, "speakers.csv", key))
+    assert answers.named == (Named("1", "one", "JL", "MR", False), Named("1", "one", "MR", "MR", True))
+
+
+def test_mistakes_of_preferences_and_speakers_are_told(tmp_path: Path) -> None:
+    told = _told(tmp_path, "rater,group,line,first,second,preference\n1,DE,one,live,later,-3\n1,US,one,live,live,0\n")
+    assert [each.split(": ")[0] for each in told] == ["2:5", "2:6", "3:2"]
+    told = _told(tmp_path, "rater,line,speaker,answer\n1,one,JL,\n")
+    assert [each.split(": ")[0] for each in told] == ["2:4"]
 
 
 def test_every_mistake_is_told_with_line_and_column(tmp_path: Path) -> None:

@@ -1,0 +1,89 @@
+"""The statistics of NGS's recognition of speakers (§3.5): whether the gestures of one are told from another's.
+
+In test 1 a clip is seen alone, in test 2 beside one of another speaker. Each test compares the raters' shares of right
+answers with chance, one of as many as there are speakers, by Student's t, two-tailed as in the paper, and all answers
+by the exact binomial test.
+"""
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from statistics import fmean
+from types import MappingProxyType
+
+from scipy import stats
+
+from ...errors import InputError
+from .reading import Named, by_rater
+from .samples import (
+    FEWEST,
+    GroupDifference,
+    Normality,
+    TTest,
+    by_group,
+    group_differences,
+    normality,
+    one_sample_t,
+)
+
+ALONE, BESIDE = 1, 2
+"""The paper's Test 1 and Test 2."""
+
+
+@dataclass(frozen=True, slots=True)
+class RecognitionTest:
+    """One test: answers, the share of right ones and by chance, the t test and p of the binomial test; how often each
+    speaker was taken for each (`taken`, by \"shown as answered\"), whether shares are normal and groups differ."""
+
+    answers: int
+    right: float
+    chance: float
+    test: TTest | None
+    binomial_p: float
+    taken: Mapping[str, int]
+    normality: Normality | None
+    groups: tuple[GroupDifference, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class RecognitionStatistics:
+    """A study of speakers: who and what was counted, the speakers, and each test by its number."""
+
+    raters: int
+    lines: int
+    speakers: tuple[str, ...]
+    tests: Mapping[int, RecognitionTest]
+
+
+def recognition_statistics(
+    named: Sequence[Named], groups: Mapping[str, str] = MappingProxyType({})
+) -> RecognitionStatistics:
+    """The statistics of a study, whose raters are of these groups; raises InputError `too_few_answers` for fewer than
+    two raters or two speakers."""
+    raters = by_rater(named)
+    speakers = tuple(sorted({each.speaker for each in named} | {each.answer for each in named}))
+    if len(raters) < FEWEST or len(speakers) < FEWEST:
+        message = f"{len(raters)} raters answered about {len(speakers)} speakers; {FEWEST} at least of both are needed"
+        raise InputError("too_few_answers", message, field="answers")
+    own = {test: [each for each in named if each.beside is (test == BESIDE)] for test in (ALONE, BESIDE)}
+    return RecognitionStatistics(
+        raters=len(raters),
+        lines=len({each.line for each in named}),
+        speakers=speakers,
+        tests={test: _test(found, len(speakers), groups) for test, found in own.items() if found},
+    )
+
+
+def _test(named: Sequence[Named], speakers: int, groups: Mapping[str, str]) -> RecognitionTest:
+    shares = {rater: fmean(each.is_right for each in own) for rater, own in by_rater(named).items()}
+    right, chance = sum(each.is_right for each in named), 1 / speakers
+    return RecognitionTest(
+        answers=len(named),
+        right=right / len(named),
+        chance=chance,
+        test=one_sample_t([*shares.values()], chance),
+        binomial_p=float(stats.binomtest(right, len(named), chance).pvalue),
+        taken=dict(Counter(f"{each.speaker} as {each.answer}" for each in named)),
+        normality=normality([*shares.values()]),
+        groups=group_differences(by_group(shares, groups)),
+    )
