@@ -30,6 +30,7 @@ _HANDS: Mapping[str, Hand] = MappingProxyType({mode: hand for hand, mode in MODE
 _WORDS_OF_UNITS: Mapping[int, str] = MappingProxyType({unit: lexeme for lexeme, unit in ACTION_UNITS.items()})
 _EYES_ALONE = "EYES"
 _BLINK = 45
+_UNIT = re.compile(r"(?P<unit>\d{1,9})(_(?P<side>[A-Za-z]+))?", re.ASCII)
 _PRIORITY_STEP = 10
 _USUAL_HEAD = 0.5
 _KINDS = frozenset({"BEAT", "DEICTIC", "EMBLEM", "ICONIC", "METAPHORIC"})
@@ -114,16 +115,16 @@ def _gaze(element: Element, blank: Behavior, *, shifts: bool = False) -> Behavio
 
 
 def _face(element: Element, blank: Behavior) -> Behavior | None:
-    """`faceLexeme`, `faceFacs` and SmartBody's `face`."""
+    """`faceLexeme`, `faceFacs` and SmartBody's `face`, whose unit may name its side: `au="1_left"`."""
     amount = _number(element, "amount")
     face = replace(blank, kind=Channel.FACE, amount=1.0 if amount is None else amount)
     lexeme = _text(element, "lexeme")
     if lexeme:
         return replace(face, lexeme=shipped_aliases().face(lexeme))
-    unit = str(element.attributes.get("au", ""))
-    if not unit.isdecimal():
+    found = _UNIT.fullmatch(str(element.attributes.get("au", "")))
+    if found is None:
         return None
-    side = (_text(element, "side") or "BOTH").upper()
+    unit, side = found["unit"], (found["side"] or _text(element, "side") or "BOTH").upper()
     word = _WORDS_OF_UNITS.get(int(unit)) if side == "BOTH" else None
     kind = Channel.EYES if int(unit) == _BLINK else Channel.FACE
     return replace(face, kind=kind, lexeme=word or f"AU{int(unit)}", direction=None if side == "BOTH" else side)

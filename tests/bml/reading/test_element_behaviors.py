@@ -54,6 +54,22 @@ def test_others_names_are_ours(inside: str, lexeme: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("unit", "played"),
+    [
+        ("12", ("AU12", None)),
+        ("1_left", ("AU1", "LEFT")),
+        ("24", ("PRESS_LIPS", None)),
+        ("9" * 5000, None),
+        ("x", None),
+    ],
+)
+def test_an_action_unit_may_name_its_side(unit: str, played: tuple[str, str | None] | None) -> None:
+    document, _ = read_bml(in_smartbody(f'<face type="facs" au="{unit}"/>').encode(), Path("a.xml"))
+    found = [(each.lexeme, each.direction) for each in resolve(document).behaviors]
+    assert found == ([played] if played else [])
+
+
+@pytest.mark.parametrize(
     ("lexeme", "category"), [("CONDUIT", "OPEN_HAND"), ("greta_deictic_self", "ME"), ("greta_refuse", "PUSH_AWAY")]
 )
 def test_the_gestures_of_asap_have_ours(lexeme: str, category: str) -> None:
