@@ -4,6 +4,7 @@ right. They are raised where the mistake is found and caught only at the doors (
 A message on a name that is not known suggests the nearest known ones.
 """
 
+import json
 from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass
 from itertools import islice
@@ -94,6 +95,14 @@ def shown(value: object) -> str:
     stay short."""
     text = value if isinstance(value, str) else str(value)
     return repr(text) if len(text) <= LONGEST_SHOWN else f"{text[:LONGEST_SHOWN]!r}…"
+
+
+def why_not_json(error: ValueError | RecursionError) -> str:
+    """Why Python refused a text as JSON, without its advice to raise limits."""
+    if isinstance(error, RecursionError):
+        return "it is nested too deeply"
+    is_told = isinstance(error, (json.JSONDecodeError, UnicodeDecodeError))
+    return str(error) if is_told else "a number has too many digits"
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,15 @@ from typing import Annotated, Any, TypeVar
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic_core import ErrorDetails
 
-from ..errors import LONGEST_SHOWN, InputError, UndecodableError, UnsupportedFormatError, did_you_mean, shown
+from ..errors import (
+    LONGEST_SHOWN,
+    InputError,
+    UndecodableError,
+    UnsupportedFormatError,
+    did_you_mean,
+    shown,
+    why_not_json,
+)
 from ..marked_text.reading import read_marked
 from ..model import Direction, GivenFunction, Line, Timings
 from ..models import load_tag_table
@@ -67,7 +75,7 @@ def read_json(content: bytes, field: str) -> object:
         message = f"{field} holds the lone surrogate {error.object[error.start]!a}; send well-formed Unicode"
         raise InputError("text_surrogate", message, field=field) from None
     except (ValueError, RecursionError) as error:
-        raise UndecodableError("not_json", f"{field} is not JSON: {error}", field=field) from None
+        raise UndecodableError("not_json", f"{field} is not JSON: {why_not_json(error)}", field=field) from None
     return value
 
 

@@ -28,7 +28,7 @@ class OpenedScene:
         except OSError as error:
             message = f"{path}: cannot be read: {error.strerror}; give the folder that understudy batch wrote to"
             raise InputError("file_unreadable", message, field="scene") from None
-        except (ValueError, KeyError, TypeError, AttributeError):
+        except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
             raise InputError("scene_wrong", f"{path}: is no index of understudy batch", field="scene") from None
 
     def file(self, name: str) -> Path | None:

@@ -101,6 +101,12 @@ def test_what_is_no_json_is_undecodable(content: bytes) -> None:
     assert caught.value.code == "not_json"
 
 
+def test_a_number_that_python_does_not_read_is_told_without_its_advice() -> None:
+    with pytest.raises(UndecodableError) as caught:
+        read_object(b'{"seed": %s}' % (b"9" * 5000), "body")
+    assert caught.value.message == "body is not JSON: a number has too many digits"
+
+
 def test_a_lone_surrogate_is_told_as_such() -> None:
     with pytest.raises(InputError) as caught:
         read_object(b'{"text": "\\ud800"}', "body")

@@ -23,7 +23,7 @@ from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, FailFast, Field, ValidationError
 
-from ...errors import InputError, UndecodableError, UnsupportedFormatError, shown
+from ...errors import InputError, UndecodableError, UnsupportedFormatError, shown, why_not_json
 from ...model import Filler, Interval, Phone, Word
 from ..pronunciation.normalisation import fold
 
@@ -170,7 +170,7 @@ def _timed_words(text: str) -> _TimedWords:
     try:
         content = json.loads(text)
     except (ValueError, RecursionError) as error:
-        raise _unreadable("json", str(error)) from None
+        raise _unreadable("json", why_not_json(error)) from None
     try:
         return _TimedWords.model_validate(content)
     except ValidationError as error:
@@ -262,7 +262,8 @@ def _interval_tiers(text: str) -> dict[str, list[tuple[float, float, str]]]:
             if tier["class"] == "IntervalTier"
         }
     except (PraatioException, ValueError, LookupError, AttributeError, TypeError, RecursionError) as error:
-        raise _unreadable("textgrid", " ".join(str(error).split()) or "its layout is not Praat's") from None
+        why = " ".join(str(error).split()) if isinstance(error, PraatioException) else ""
+        raise _unreadable("textgrid", why or "its layout is not Praat's") from None
 
 
 def _phone(start_s: float, end_s: float, label: str) -> Phone:

@@ -167,7 +167,7 @@ class NearNames:
     """A set of names that is searched for near ones."""
 
     def __init__(self, names: Iterable[str]) -> None:
-        self._by_numbers: dict[tuple[int, ...], list[tuple[str, Counter[str]]]] = defaultdict(list)
+        self._by_numbers: dict[tuple[str, ...], list[tuple[str, Counter[str]]]] = defaultdict(list)
         for name in names:
             self._by_numbers[_numbers(name)].append((name, _trigrams(name)))
 
@@ -179,8 +179,8 @@ class NearNames:
         return best[1] if best[0] >= LEAST_LIKENESS else None
 
 
-def _numbers(name: str) -> tuple[int, ...]:
-    return tuple(int(run) for run in _RUNS.findall(name) if run.isdecimal())
+def _numbers(name: str) -> tuple[str, ...]:
+    return tuple(run.lstrip("0") for run in _RUNS.findall(name) if run.isdecimal())
 
 
 def _trigrams(name: str) -> Counter[str]:

@@ -122,4 +122,4 @@ class RecordingPattern:
 
 def _plain(value: str) -> str:
     """In lower case, and numbers without leading zeros."""
-    return str(int(value)) if value.isdecimal() else value.casefold()
+    return value.lstrip("0") or "0" if value.isdecimal() else value.casefold()

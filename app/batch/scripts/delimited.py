@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from ...errors import UndecodableError
+from ...errors import UndecodableError, why_not_json
 from ..model import RowProblem, Script
 from .columns import ColumnNames, find_columns
 from .sheets import LONGEST_CELL, ROWS_BEFORE_HEADINGS, heading_place, read_lines, read_sheet, within_limits
@@ -85,8 +85,8 @@ def read_json_lines(content: bytes, path: Path, named: Mapping[str, str]) -> Scr
 def _object(line: str) -> dict[str, object]:
     try:
         value = json.loads(line)
-    except RecursionError:
-        raise ValueError("nested too deeply") from None
+    except (ValueError, RecursionError) as error:
+        raise ValueError(why_not_json(error)) from None
     if not isinstance(value, dict):
         raise ValueError("no JSON object in braces")
     return value

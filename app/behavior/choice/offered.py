@@ -121,15 +121,21 @@ def _offered(line: Understood, player: Player, forms: _Forms) -> Iterator[_Candi
             first, last = left[0].function.first, left[0].function.last
             if channel is not Channel.GESTURE:
                 first, last = next((each for each in stretches if each[0] <= first <= each[1]), (first, last))
-            joined = [each for each in left if _touches(each, first, last, channel)]
-            left = [each for each in left if each not in joined]
+            joined, left = _parted(left, first, last, channel)
             yield _Candidate(joined[0].name, channel, first, last, tuple(joined))
 
 
-def _touches(support: Support, first: int, last: int, channel: Channel) -> bool:
+def _parted(
+    supports: Iterable[Support], first: int, last: int, channel: Channel
+) -> tuple[list[Support], list[Support]]:
+    """Those whose words touch the words from `first` to `last`, and the others."""
     if channel is Channel.GESTURE:
         first, last = first - 1, last + 1
-    return support.function.first <= last and first <= support.function.last
+    touching, others = list[Support](), list[Support]()
+    for each in supports:
+        touches = each.function.first <= last and first <= each.function.last
+        (touching if touches else others).append(each)
+    return touching, others
 
 
 def _is_scheduled(candidate: _Candidate, forms: _Forms, behaviors: Iterable[Behavior]) -> bool:

@@ -55,6 +55,13 @@ def test_by_a_pattern_in_which_zeros_before_a_number_do_not_count(tmp_path: Path
     assert [path.name for path in joined.unused] == ["line_7c_t1.wav"]
 
 
+@pytest.mark.parametrize("pattern", ["", "{id}.wav"])
+def test_a_name_of_more_digits_than_python_reads_as_a_number_has_no_recording(pattern: str, tmp_path: Path) -> None:
+    joined = join(tmp_path, [line("9" * 5000), line("0")], ["00.wav"], pattern)
+    assert found(joined) == ({"0": "00.wav"} if pattern else {})
+    assert joined.missing[0].line.id == "9" * 5000
+
+
 @pytest.mark.parametrize(
     ("choice", "expected"),
     [
