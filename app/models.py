@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from .behavior.reading.families import Families
     from .behavior.reading.planner import Planner
     from .behavior.slots.table import SlotTable
-    from .marked_text.tag_table import TagTable
     from .model import Tone
     from .model.limits.gesture_limits import GestureTable
     from .profiles.profile import Profile
@@ -39,6 +38,7 @@ if TYPE_CHECKING:
     from .rules.mapping import MappingRules
     from .settings import Settings
     from .syntax.parser import Parser
+    from .text.tag_table import TagTable
 
 
 @dataclass(frozen=True, slots=True)
@@ -301,7 +301,7 @@ def load_function_classes() -> Mapping[str, Mapping[str, float]]:
 
 def load_tag_table() -> TagTable:
     """What tags of a text that is to be spoken mean; raises AuthoringError with every mistake in their table."""
-    from .marked_text.tag_table import FILE, TagTable
+    from .text.tag_table import FILE, TagTable
 
     return TagTable.load(lexicon_folder() / FILE, load_function_classes())
 

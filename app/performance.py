@@ -32,14 +32,14 @@ from .errors import InputError
 from .model import Analysis, Direction, Line, Notice, Performance
 from .model.edits import WordEdit, WordMark
 from .model.lead_in import with_lead_in
+from .model.progress import Progress, no_progress
 from .models import Understudy
 from .options import AS_USUAL, Options
 from .profiles.generation.script import GestureScript
-from .progress import Progress, no_progress
 from .rules.derivation import understand
 from .rules.mapping import map_functions
 from .rules.priorities import resolved_as_in_paper
-from .transcript import read_transcript
+from .text.transcript import read_transcript
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from tests.support.operations import operations_of
 from understudy.model import Parse, Utterance
 from understudy.rules.chaining.facts import normalized_word, utterance_facts
 from understudy.syntax.parser import sentence_starts
-from understudy.transcript import MAX_WRITTEN_CHARACTERS, read_transcript
+from understudy.text.transcript import MAX_WRITTEN_CHARACTERS, read_transcript
 
 SLACK = 1.1
 NOTHING = Parse((), (), ())

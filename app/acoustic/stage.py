@@ -26,10 +26,10 @@ from ..model import (
     Utterance,
     Word,
 )
+from ..model.progress import Progress, no_progress
 from ..model.voice.signal import SpeakerReference
-from ..progress import Progress, no_progress
 from ..settings import Settings
-from ..transcript import read_transcript
+from ..text.transcript import read_transcript
 from .affect.line_affect import Stretch, given_line, line_affect
 from .affect.manner import word_manners
 from .agitation.voice_quality import voice_quality

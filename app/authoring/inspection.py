@@ -26,7 +26,7 @@ from ..rules.lexicon import LexicalEntry
 from ..rules.mapping import MappingRules
 from ..rules.program.program import Program, Rule
 from ..rules.stage import find_functions
-from ..transcript import read_transcript
+from ..text.transcript import read_transcript
 
 __all__ = [
     "Firing",

@@ -30,8 +30,6 @@ from ..bml.writing.smartbody_tables import SmartBodyTables
 from ..errors import AuthoringError, Mistake, collected
 from ..live.table import FILE as LIVE
 from ..live.table import LiveTable
-from ..marked_text.tag_table import FILE as TAGS
-from ..marked_text.tag_table import TagTable
 from ..model import Channel, Hand, Level
 from ..models import (
     load_characters,
@@ -51,6 +49,8 @@ from ..realizer.mpeg4.fap import TABLE as FAPS
 from ..realizer.mpeg4.fap import FapTable
 from ..resources import resource_folder
 from ..rules.priorities import Conflicts, Priorities
+from ..text.tag_table import FILE as TAGS
+from ..text.tag_table import TagTable
 from ..yaml_files import Source, entry_source
 
 Check = Callable[[], object]

@@ -15,7 +15,7 @@ from ..resources import resource_folder
 from ..rules.derivation import understand
 from ..rules.lexicon import SLOT, Lexicon
 from ..rules.mapping import offer_movements
-from ..transcript import read_transcript
+from ..text.transcript import read_transcript
 from .rule_edits import Edits, rules_wrong, with_edits
 
 

@@ -13,7 +13,7 @@ from ..models import load_characters
 from ..rules.given import given_facts
 from ..rules.priorities import Priorities
 from ..settings import Settings
-from ..transcript import read_transcript
+from ..text.transcript import read_transcript
 
 
 def check_line(line: Line, settings: Settings) -> None:

@@ -11,6 +11,7 @@ from ..acoustic.signal.decoding import decode
 from ..acoustic.stage import audio_limits
 from ..errors import InputError, did_you_mean, shown
 from ..model import AffectTrack, Analysis, Performance
+from ..model.progress import Progress, no_progress
 from ..models import Understudy
 from ..motion_models.affect import LinearAffectModel
 from ..motion_models.model import SCENARIOS, MotionModel, Scenario, is_model
@@ -18,7 +19,6 @@ from ..motion_models.pairs import SOUNDS, Pair, PairFile, Voice, heard_voice, re
 from ..motion_models.performing import laid_over, move, replaced_behaviors
 from ..motion_models.scoring import Scores, left_out_trials, scored
 from ..motion_models.training import Learning, learn
-from ..progress import Progress, no_progress
 from ..prosody_gestures.trellis import EVERYTHING, Search
 from ..realization import PreparedSchedule, RealizedSchedule, Realizer, realize_prepared
 from ..resources import resource_folder

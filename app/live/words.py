@@ -20,7 +20,7 @@ from ..models import Understudy
 from ..options import Options
 from ..performance import perform_analysis
 from ..rules.derivation import understand
-from ..transcript import read_transcript
+from ..text.transcript import read_transcript
 from .models import LiveModels
 from .voice import RecentVoice
 

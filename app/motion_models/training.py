@@ -8,7 +8,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..model import FloatArray
-from ..progress import Progress, no_progress
+from ..model.progress import Progress, no_progress
 from ..prosody_gestures.counting import Counts, CountSmoothing, count, count_labels
 from ..prosody_gestures.mixtures import MixtureOptions, fit_mixtures
 from ..prosody_gestures.semi_markov import FRAME_S, Emissions, IntArray, Segment, SemiMarkovModel, states_by_frame

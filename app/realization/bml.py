@@ -23,10 +23,10 @@ from ..bml.reading.resolving import ResolvedDocument, resolve
 from ..model import DEFAULT_CHARACTER, Level, Notice, Schedule, Target, Word
 from ..model.lead_in import later_s
 from ..model.limits.motion_limits import MotionLimits
+from ..model.progress import Progress, no_progress
 from ..model.targets import check_targets
 from ..option_table import MOTION
-from ..progress import Progress, no_progress
-from ..transcript import read_transcript
+from ..text.transcript import read_transcript
 from .motion import PreparedSchedule, last_s
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from typing import Protocol
 
 from ..model import Analysis, Parse, Utterance, Word
 from ..settings import Settings
-from ..transcript import read_transcript
+from ..text.transcript import read_transcript
 from .derivation import FunctionRules, understand
 
 

@@ -25,9 +25,9 @@ from ..errors import (
     shown,
     why_not_json,
 )
-from ..marked_text.reading import read_marked
 from ..model import Direction, GivenFunction, Line, Timings
 from ..models import load_tag_table
+from ..text.reading import read_marked
 
 _ALLOWED = re.compile(r"'([^']*)'")
 Checked = TypeVar("Checked", bound=BaseModel)

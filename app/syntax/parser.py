@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 
 from ..errors import ServiceError
 from ..model import Parse, Token, Word
-from ..transcript import with_short_runs
+from ..text.transcript import with_short_runs
 from .phrases import Tree, find_clauses, find_phrases
 from .pipelines import load_pipeline
 from .tokens import Scheme, read_tokens, scheme_of
@@ -71,7 +71,7 @@ class Parser:
     def parse(self, words: tuple[Word, ...]) -> Parse:
         """Tokens, phrases and clauses of a line, each with the indices of its words; all empty without words.
 
-        Runs of punctuation are shortened for the tokenizer (`understudy.transcript.with_short_runs`). The result is
+        Runs of punctuation are shortened for the tokenizer (`understudy.text.transcript`). The result is
         deterministic, and depends on words and pauses only.
         """
         [parse] = self.parse_all([words])

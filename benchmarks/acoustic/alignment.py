@@ -23,7 +23,7 @@ from training.alignment.timit import Sentence, read_sentences
 from understudy.acoustic.alignment.alignment import Aligner
 from understudy.errors import InputError
 from understudy.model import SAMPLE_RATE_HZ, Audio, Word
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 ROOT = Path(__file__).resolve().parents[2]
 TIMIT = ROOT.parent / "shared" / "data" / "speech" / "timit"

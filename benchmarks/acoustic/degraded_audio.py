@@ -29,7 +29,7 @@ from understudy.acoustic.alignment.alignment import Aligner
 from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.errors import InputError
 from understudy.model import SAMPLE_RATE_HZ, FloatArray, Interval, Word
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 MUSIC_S = 2.0
 CHORD_HZ = (220.0, 277.2, 329.6)

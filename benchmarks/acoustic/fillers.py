@@ -25,7 +25,7 @@ from training.alignment.timit import Sentence, read_sentences
 from understudy.acoustic.alignment.alignment import Aligner, Alignment
 from understudy.errors import InputError
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 LINES = ROOT.parent / "shared" / "data" / "speech" / "lines"
 SOUND_S = 0.25

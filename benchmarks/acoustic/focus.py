@@ -34,7 +34,7 @@ from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.acoustic.stress.prominence import prominence
 from understudy.model import Audio, Contours, FloatArray, Word
 from understudy.resources import resource_folder
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 DELIVERIES = SPEECH.parents[1] / "directing" / "deliveries"
 VOICES = ("slt", "rms", "awb")

@@ -24,7 +24,7 @@ from understudy.acoustic.models import AcousticModels
 from understudy.acoustic.stage import align_words, analyze_signal
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray, Word
 from understudy.settings import Settings
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 ROOT = Path(__file__).resolve().parents[2]
 LINES = ROOT.parent / "shared" / "data" / "speech" / "lines"

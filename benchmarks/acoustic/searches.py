@@ -22,7 +22,7 @@ from understudy.acoustic.alignment.decoder_worker import NARROW, WIDE, BeamSearc
 from understudy.acoustic.pronunciation.normalisation import Normaliser
 from understudy.acoustic.pronunciation.pronunciation import Pronouncer
 from understudy.model import FloatArray
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 RAVDESS_STEP = 16
 REPEATS = 3

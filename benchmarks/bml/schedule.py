@@ -54,7 +54,7 @@ from understudy.rules.derivation import FunctionRules, understand
 from understudy.rules.mapping import MappingRules, offer_movements
 from understudy.settings import Settings
 from understudy.syntax.parser import Parser
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 DATA = Path(__file__).resolve().parents[3] / "shared" / "data"
 TREEBANKS = DATA / "treebanks"

@@ -16,7 +16,7 @@ from understudy.models import LanguageModels
 from understudy.resources import resource_folder
 from understudy.rules.stage import find_functions_in_all
 from understudy.settings import Settings
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 from .directed import DirectedLine, read_lines
 

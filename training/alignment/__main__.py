@@ -38,7 +38,7 @@ from understudy.acoustic.alignment.boundaries import (
 )
 from understudy.errors import InputError
 from understudy.model import Audio, FloatArray, Word
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 ROOT = Path(__file__).resolve().parents[2]
 KIND_WEIGHT, GAP_WEIGHT, SPECTRUM_WEIGHT = 0.7, 0.3, 0.75

@@ -20,7 +20,7 @@ from sklearn.linear_model import LogisticRegression
 from understudy.acoustic.alignment.alignment import Aligner
 from understudy.acoustic.alignment.fit import EVIDENCE, REFUSED, SUSPECT, evidence
 from understudy.model import FloatArray
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 from .transcripts import OTHERS, OWN, Recording, read_recordings, texts_for
 

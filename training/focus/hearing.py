@@ -22,7 +22,7 @@ from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.acoustic.stress.prominence import prominence
 from understudy.errors import UnderstudyError
 from understudy.model import Audio, FloatArray, Interval, Phone, Word
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 ROOT = Path(__file__).resolve().parents[2]
 ALIGNMENTS = "alignments.jsonl"

@@ -33,7 +33,7 @@ from numpy.typing import NDArray
 from understudy.acoustic.alignment.alignment import Aligner
 from understudy.errors import UnderstudyError
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 ROOT = Path(__file__).resolve().parents[2]
 STEP_MS = 5.0

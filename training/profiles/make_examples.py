@@ -31,7 +31,7 @@ from understudy.profiles.profile import tag_of
 from understudy.profiles.segments import time_of
 from understudy.rules.stage import find_functions_in_all
 from understudy.settings import Settings
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 from understudy.yaml_files import Entry, Source
 
 HERE = Path(__file__).resolve().parent

@@ -27,7 +27,7 @@ from ...profiles.generation.generating import Speaker, generate
 from ...profiles.generation.repertoire import ClosedWords, PlayableGesture, Repertoire
 from ...profiles.generation.script import GestureScript
 from ...profiles.profile import Profile, tag_of, tags_of
-from ...transcript import MAX_WORDS
+from ...text.transcript import MAX_WORDS
 from ..candidates.notes import WORDS_NEAR
 from ..candidates.vocabulary import ANYTHING, HANDS, STILL
 from ..characters.overlays import Character

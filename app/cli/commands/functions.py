@@ -8,7 +8,7 @@ from io import BufferedIOBase
 from typing import cast
 
 from ...settings import read_settings
-from ...transcript import read_transcript
+from ...text.transcript import read_transcript
 from ..files import write_standard
 from ..log import Log
 

@@ -9,9 +9,9 @@ from pathlib import Path
 
 from ...errors import InputError
 from ...library.motion_models import Search, read_pairs, scenario_named, score_motion_models, train_motion_model
+from ...model.progress import Progress
 from ...models import load_realizer
 from ...option_table import LARGEST_SEED
-from ...progress import Progress
 from ...settings import read_settings
 from ..files import require_writable, write
 from ..log import Log

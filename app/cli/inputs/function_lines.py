@@ -18,7 +18,7 @@ from ...model import Word
 from ...models import LanguageModels
 from ...schemas.requests import line_id, read_object, read_request
 from ...schemas.responses import FunctionsResponse, MistakeResponse
-from ...transcript import read_transcript
+from ...text.transcript import read_transcript
 from ..files import write_standard
 
 MOST_TOGETHER = 32

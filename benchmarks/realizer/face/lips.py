@@ -35,7 +35,7 @@ from understudy.realizer.face.lip_closure import Closure, lip_closures, lip_open
 from understudy.realizer.geometry.rotations import IDENTITY
 from understudy.resources import resource_folder
 from understudy.settings import Settings
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 SHARED_LINES = Path(__file__).resolve().parents[4] / "shared" / "data" / "speech" / "lines"
 VOWELS = frozenset({"aa", "E", "I", "O", "U"})

@@ -18,7 +18,7 @@ from understudy.acoustic.alignment.decoder_process import DecoderProcess, pcm
 from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.errors import InputError, ServiceError
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray, Interval, Phone, Word
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 ROOT = Path(__file__).resolve().parents[3]
 TRUTH = ROOT / "tests" / "audio"

@@ -7,7 +7,7 @@ import pytest
 from understudy.acoustic.alignment.timings import read_fillers, read_timings, to_ctm, to_textgrid
 from understudy.errors import InputError, UndecodableError, UnsupportedFormatError
 from understudy.model import Filler, Interval, Phone, Word
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 DURATION_S = 2.0
 TEXT = 'Oh, "no" — naïve'

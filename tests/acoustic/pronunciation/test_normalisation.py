@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from tests.support.examples import examples
 from understudy.acoustic.pronunciation.normalisation import Normaliser, fold
 from understudy.errors import AuthoringError, InputError
-from understudy.transcript import read_transcript
+from understudy.text.transcript import read_transcript
 
 ABBREVIATIONS = Path(__file__).resolve().parents[3] / "lexicon" / "en" / "abbreviations.yaml"
 KNOWN = frozenset({"nasa", "uh-huh", "well-known", "it's", "us", "u.s.", "p.m.", "'em", "no", "hello"})

@@ -3,7 +3,7 @@
 import pytest
 
 from understudy.errors import InputError, TooLargeError
-from understudy.transcript import (
+from understudy.text.transcript import (
     MAX_PUNCTUATION_RUN,
     MAX_WORD_CHARACTERS,
     MAX_WORDS,

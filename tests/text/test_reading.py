@@ -3,10 +3,10 @@
 import pytest
 
 from understudy.errors import InputError
-from understudy.marked_text.reading import read_marked, without_marks
-from understudy.marked_text.tag_table import TagTable
-from understudy.marked_text.tags import GENERIC_GESTURE, MOST_DEPTH, SpokenText
 from understudy.model import PLAIN, Demand, GivenFunction
+from understudy.text.reading import read_marked, without_marks
+from understudy.text.tag_table import TagTable
+from understudy.text.tags import GENERIC_GESTURE, MOST_DEPTH, SpokenText
 
 TABLE = TagTable(
     {"performative": {"type": {"greet": "greeting", "order": "modal.obligation"}}}, {"rheme": "information.rheme"}

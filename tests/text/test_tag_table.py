@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from understudy.errors import AuthoringError
-from understudy.marked_text.tag_table import TagTable
 from understudy.models import load_tag_table
+from understudy.text.tag_table import TagTable
 
 CLASSES = {"greeting": {"plain": 5.0}, "deixis": {"place": 2.0}}
 

@@ -6,8 +6,8 @@ A dash or an emoticon that stands alone is a word too and keeps its number, thou
 import re
 import unicodedata
 
-from .errors import InputError, TooLargeError
-from .model import Word
+from ..errors import InputError, TooLargeError
+from ..model import Word
 
 MAX_PUNCTUATION_RUN = 8
 """Longest run of punctuation (neither letter nor digit) that is passed to a parser (`with_short_runs`)."""

@@ -1,0 +1,1 @@
+"""What is said, as text: `app/text`. Begin with `test_reading.py`."""
