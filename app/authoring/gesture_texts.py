@@ -1,7 +1,6 @@
 """Checks the text of a gesture as its author writes it (Gesture Engine §4.3): reports every mistake with its place, and
-poses that the body cannot take.
-
-Plays one gesture that is not in the library yet, alone and from rest to rest, as the realizer would play it in a line.
+poses that the body cannot take; and plays it alone, from rest to rest, as the realizer would play it in a line, though
+it is not in the library yet.
 """
 
 from dataclasses import dataclass, replace

@@ -1,7 +1,7 @@
 """Turns a script and its recordings into jobs, and into failures for lines that cannot become jobs.
 
-Finds an author's edits for the lines of a batch: those named in the script, else the file `ID.edits.json` beside the
-recording, ID being that of the take, that of the line or the recording's own name.
+A job has its author's edits: those named in the script, else the file `ID.edits.json` beside the recording, where ID is
+that of the take, that of the line or the recording's own name.
 """
 
 import os

@@ -1,12 +1,9 @@
-"""Hears a voice at any sample rate: its samples at ours, its contours, and where its phrases begin and end.
+"""Hears a voice at any sample rate: its samples at ours, its contours, where its phrases begin and end, and the affect
+of the current phrase so far.
 
 A phrase is a stretch of voiced speech, until it has been silent for `PAUSE_FRAMES`. Times are seconds of the stream; a
-phrase's beginning is known `BEGIN_FRAMES` voiced frames after it, its end `PAUSE_FRAMES` after the last voiced one.
-Memory is bounded.
-
-The affect of the current phrase, as far as it has been heard. Memory is bounded.
-
-The last seconds of sound are kept and judged on demand, so a stream without words costs nothing.
+phrase's beginning is known `BEGIN_FRAMES` voiced frames after it, its end `PAUSE_FRAMES` after the last voiced one. For
+the affect the last seconds of sound are kept and judged on demand. Memory is bounded.
 """
 
 from collections.abc import Iterator

@@ -4,10 +4,8 @@ The paper used Charniak's constituent parser and notes its problems with spoken 
 trained on speech (training/parser), and derive noun phrases, verb groups and clauses from the dependencies. spaCy is
 imported with the first pipeline, to save memory and time where nothing is parsed (60 MB, half a second).
 
-Finds where sentences begin: at punctuation or, in a line without any, after long pauses.
-
-Parsers find sentence boundaries in unpunctuated speech badly (F about 40), so they are given. In a punctuated line a
-pause is a hesitation and ends nothing.
+The parser is told where sentences begin, since parsers find that badly in unpunctuated speech (F about 40): at
+punctuation or, in a line without any, after long pauses. In a punctuated line a pause is a hesitation and ends nothing.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """The options of each line: those of the command, overridden by cast, scene and finally the line's own row.
 
-Finds those who speak next to a line in its scene, and makes names for listeners.
+The listeners of a line are those who speak next to it in its scene, under the names of their characters.
 """
 
 import re

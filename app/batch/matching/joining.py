@@ -3,10 +3,9 @@
 Names are compared without case. Of several takes the one that the line names is used, else the last, the first, or each
 as a line of its own.
 
-Finds the name that was probably meant, among ids of lines and names of recordings.
-
-Such names differ mostly in their numbers, and the next number is never what was meant. So two names are near if their
-numbers are the same except for leading zeros and their letters are similar.
+For a name that fits nothing the one that was probably meant is suggested. Such names differ mostly in their numbers,
+and the next number is never what was meant, so two names are near if their numbers are the same except for leading
+zeros and their letters are similar.
 """
 
 import re

@@ -1,6 +1,5 @@
-"""Finds the recordings in a folder and its subfolders.
-
-Finds recordings by a pattern of their names, such as `{character}/{id}_t{take}.wav`.
+"""Finds the recordings in a folder and its subfolders, all of them or those of a line by a pattern of their names, such
+as `{character}/{id}_t{take}.wav`.
 
 Names in braces are fields of the line, `*` matches anything but a folder. A pattern without a folder finds recordings
 in any. One pass over the files indexes them, so that the cost does not grow with the number of lines.

@@ -1,10 +1,8 @@
-"""Which lines somebody should check, why, and how urgently.
+"""Which lines somebody should check, why, how urgently, and what can be done about each reason.
 
 A line that is performed a little otherwise than it was planned, as most are, needs no check; one of which a movement is
 missing or late does (`Measures.unplayed`). Nor are gestures that were offered and gave way to others a reason: most
 lines have some.
-
-What the codes of a report mean to those who record and direct, and what they can do about them.
 """
 
 from collections.abc import Iterator, Mapping

@@ -1,9 +1,7 @@
 """Describes what a batch would do, as text: lines by character, what is missing, unused or duplicate, how long it would
 take.
 
-What lines cost the processor, for the estimate of a dry run.
-
-Seconds are those of one processor of the machine on which `python -m benchmarks.batch.costs` measured them
+The estimate counts seconds of one processor of the machine on which `python -m benchmarks.batch.costs` measured them
 (docs/measurements/batch.md, "Batch").
 """
 

@@ -1,8 +1,7 @@
 """Writes `report.html`: every line in one file, the most urgent to check first, with its recording to listen to.
 
-Pictures are in the page; recordings and a line's files are linked, relative to the folder of the report.
-
-Draws the distributions of a batch's lines as one picture, with matplotlib (the extra `plot`).
+Pictures are in the page, among them one of the distributions of the lines' measures, if matplotlib is installed (the
+extra `plot`); recordings and a line's files are linked, relative to the folder of the report.
 """
 
 from __future__ import annotations

@@ -1,8 +1,5 @@
-"""Writes every report of a batch.
-
-Writes `report.csv`: one row a line, the most urgent to check first.
-
-Writes `index.json`: the performed lines and the paths of their files, for game engines.
+"""Writes every report of a batch: `report.html`, `report.csv` (a row a line, the most urgent to check first), and
+`index.json`, the performed lines and the paths of their files, for game engines.
 """
 
 import csv

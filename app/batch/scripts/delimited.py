@@ -1,9 +1,8 @@
-"""Reads sheets as text: CSV and TSV, with any of several separators.
+"""Reads sheets as text: CSV and TSV, with any of several separators, and JSON lines, an object a line whose keys are
+the columns.
 
 The separator is the one with which the header has the most known names, then the most cells: lines of dialogue have
 more commas than a sheet has columns, so counting separators would mislead.
-
-Reads JSON lines: one object per line of the file, its keys as the columns of a sheet.
 """
 
 import csv

@@ -5,7 +5,7 @@ of its words ends. A share `alignment` of the stroke is before `at_s`; with alig
 stroke comes at or before the stressed syllable and never after (McNeill 1992). The hold lasts until `until_s`. A
 behaviour without a stroke reaches its peak at `at_s`. Times are seconds, whole milliseconds.
 
-Gives each gesture the manner of the voice at its stroke: how big, how fast, how tense it is.
+How big, fast and tense a gesture is comes from the voice at its stroke, once that is timed (`with_manner`).
 """
 
 from dataclasses import dataclass, replace

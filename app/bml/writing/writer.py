@@ -1,12 +1,9 @@
 """Writes the kept behaviours of a performance as BML, in the requested dialect and time form (docs/references.md).
 
 `understudy.bml.writing.blocks` and `understudy.bml.writing.smartbody` build the document,
-`understudy.bml.markup.xml_writing` writes it as XML, `understudy.bml.writing.writer` as JSON.
-
-Writes BML documents as JSON; docs/bml-json.md has the schema.
-
-An element is an object with the keys `element`, `attributes` and `content`, the last two only if not empty. Numbers are
-numbers, a reference is an object, everything else is text.
+`understudy.bml.markup.xml_writing` writes it as XML, this module as JSON (docs/bml-json.md has the schema): an element
+is an object with the keys `element`, `attributes` and `content`, the last two only if not empty. Numbers are numbers, a
+reference is an object, everything else is text.
 """
 
 import json

@@ -4,7 +4,7 @@ Every line gets one line of output, in order and at once; a wrong one gets `{"id
 the others are still answered. Lines that have already arrived are parsed together, which is faster; no line waits for
 one that has not.
 
-Reads a corpus: one utterance a line, as plain text or as JSON `{"id", "text"}`; empty lines are skipped.
+`rules unused` reads its corpus by the same lines: an utterance each, as plain text or JSON; empty lines are skipped.
 """
 
 from collections.abc import Iterator, Sequence

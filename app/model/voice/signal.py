@@ -1,8 +1,6 @@
-"""The recording and what is measured in it frame by frame.
-
-How a line without a recording is to be spoken, by what marks in its text say.
-
-How a speaker usually sounds: the statistics of other recordings, by which an utterance is normalized.
+"""The sound of a line: the recording and what is measured in it frame by frame, how its speaker usually sounds (the
+statistics of other recordings, by which an utterance is normalized), or, without a recording, how its text says that it
+is to be spoken.
 """
 
 from collections.abc import Sequence

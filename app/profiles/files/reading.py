@@ -1,6 +1,5 @@
-"""Reads a profile from the YAML that people edit: every mistake at once, with file, line and column.
-
-The keys of a profile's file, and the ranges of its numbers (docs/profiles.md).
+"""Reads a profile from the YAML that people edit, by its keys and the ranges of its numbers (docs/profiles.md): every
+mistake at once, with file, line and column.
 """
 
 from collections.abc import Collection, Iterator, Mapping

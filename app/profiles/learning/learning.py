@@ -2,10 +2,8 @@
 
 The paper has the counts: P(g∣s) over affiliates, bigrams of lexemes and of hands, P(hand∣g), a lexeme's strokes and
 distance to its word, the rate. Ours are the smoothing (`tables`), that a rare lexeme's means are drawn to the speaker's
-own, and that the distance which parts units is the speaker's, at which the paper hints.
-
-What a person should know of a profile that was learnt: that there was little to learn from, or that something said
-nothing.
+own, and that the distance which parts units is the speaker's, at which the paper hints. Remarks say where there was
+little or nothing to learn from.
 """
 
 from collections import Counter

@@ -6,11 +6,8 @@ movements head and trunk change their attitude (`understudy.realizer.head_and_ga
 and however much of it at once, the head turns no faster than `FASTEST_RAD_S` against the trunk and the eyes no faster
 than `FASTEST_EYE_RAD_S`: it comes later, so nothing ever jumps.
 
-Conventions: radians; positive pitch is down, yaw left, roll to the right shoulder; seconds.
-
-Keeps rotations within a greatest speed.
-
-Conventions: rotations are quaternions (T, 4), a frame each; radians and seconds.
+Conventions: radians; positive pitch is down, yaw left, roll to the right shoulder; rotations are quaternions (T, 4), a
+frame each; seconds.
 """
 
 from collections.abc import Sequence

@@ -7,11 +7,9 @@ asked a little early, so that they are there in time, as in NGS §3.4; moves are
 overshoot and do not fall short. Conventions: MuJoCo's positions, with quaternions w x y z, and velocities, those of
 balls in the space of what they turn.
 
-The torques of a body that stands still: what every joint bears so that a pose stays as it is.
-
-The floor carries the weight in two points, one under each foot, such that their common centre is below the centre of
-mass: then nothing is left over that would move the hips. What the joints bear is the weight of what is above them, less
-what the floor pushes.
+The torques that hold a pose are those of a body that stands still. The floor carries the weight in two points, one
+under each foot, such that their common centre is below the centre of mass: then nothing is left over that would move
+the hips. What the joints bear is the weight of what is above them, less what the floor pushes.
 """
 
 from dataclasses import dataclass

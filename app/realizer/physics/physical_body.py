@@ -5,8 +5,6 @@ mass is a ball, except the knees, which are hinges about x as in `torso.balance`
 whose rest is the pose asked for, and a damper: the antagonistic pair of NGS §3.4, whose two springs make one whose
 equilibrium moves. It is described by the natural frequency and damping ratio that it has with everything beyond the
 joint held still; those of the legs by what they carry.
-
-How hard a part of the body is to turn: the inertia of everything beyond a joint.
 """
 
 from collections.abc import Mapping

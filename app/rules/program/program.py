@@ -1,8 +1,7 @@
 """Loads rule files into an immutable program: checked, stratified, with all joins planned.
 
-Adds omitted annotations to asserted facts, as 0, so that any other rule's claim prevails.
-
-The names that the paper prints for two classes of functions are ours by other names (paper, Figure 3).
+An omitted annotation of an asserted fact counts as 0, so that any other rule's claim prevails. Two classes of functions
+may be written as the paper prints them (`PRINTED`; paper, Figure 3).
 """
 
 from collections import defaultdict
