@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 from ..acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
 from ..model import Behavior, FloatArray
-from ..prosody_gestures.live_gestures import ANNOUNCED_S, DECIDED_S, LiveGestures, LivePhase
+from ..prosody_gestures.live_gestures import ANNOUNCED_S, LiveGestures, LivePhase
 from ..prosody_gestures.voice_model import VoiceModel
 from .placing import Placer, held_until, struck_at
 from .table import LiveTable
@@ -144,7 +144,6 @@ def _longer(held: Behavior, now_s: float, until_s: float) -> Behavior | None:
 
 
 LATEST_S = PITCH_LATEST_S + ANNOUNCED_S
-DECIDED_LATEST_S = PITCH_LATEST_S + DECIDED_S
 
 
 class LiveEvents:

@@ -111,13 +111,6 @@ def kept_correlations(
     return kept, cluster_correlation(angles, affect, np.zeros(len(angles), dtype=np.intp))
 
 
-def movement_streams(pairs: Sequence[Pair]) -> list[FloatArray]:
-    """What is clustered, of mean 0 and deviation 1 over all."""
-    streams = [_stream(pair) for pair in pairs]
-    everything = np.concatenate(streams)
-    return [(stream - everything.mean(axis=0)) / (everything.std(axis=0) + 1e-9) for stream in streams]
-
-
 def _stream(pair: Pair) -> FloatArray:
     angles = arm_angles(pair.joints, pair.rotations)
     return np.concatenate([angles, np.gradient(angles, axis=0)], axis=1)

@@ -18,8 +18,6 @@ Found = Iterator[tuple[TagPosition, str]]
 """The place and description of each mistake."""
 
 _LONGEST_SHOWN = 40
-_MOST_COMPARED = 200
-"""A name is compared with at most this many others to suggest one, to limit time on large files."""
 
 _NOWHERE = TagPosition(1, 1)
 

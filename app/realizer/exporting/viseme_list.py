@@ -1,37 +1,19 @@
 """Exports the visemes as a timed list, as lip-sync tools exchange them.
 
 Conventions: each line is a time in seconds of the audio, a tab and a viseme that lasts until the next line (the format
-of Rhubarb Lip Sync); the last line is `sil`, as are gaps between visemes. The JSON form adds articulation and opening.
+of Rhubarb Lip Sync); the last line is `sil`, as are gaps between visemes.
 """
 
-import json
 from collections.abc import Iterator, Sequence
 
 from ...model import Viseme
 
 SILENCE = "sil"
-FORMAT, VERSION = "understudy-visemes", 1
 
 
 def to_viseme_text(visemes: Sequence[Viseme], duration_s: float) -> bytes:
     """The list as text; `duration_s` is the audio's duration."""
     return "".join(f"{start_s:.3f}\t{label}\n" for start_s, label in _changes(visemes, duration_s)).encode()
-
-
-def to_viseme_json(visemes: Sequence[Viseme], duration_s: float) -> bytes:
-    """The list as JSON, with each viseme's articulation and opening in [0, 1]."""
-    rows = [
-        {
-            "viseme": each.label,
-            "start_s": round(each.interval.start_s, 3),
-            "end_s": round(each.interval.end_s, 3),
-            "articulation": round(each.articulation, 3),
-            "opening": round(each.opening, 3),
-        }
-        for each in visemes
-    ]
-    content = {"format": FORMAT, "version": VERSION, "duration_s": round(duration_s, 3), "visemes": rows}
-    return (json.dumps(content, indent=1) + "\n").encode()
 
 
 def _changes(visemes: Sequence[Viseme], duration_s: float) -> Iterator[tuple[float, str]]:

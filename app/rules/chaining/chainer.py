@@ -44,21 +44,6 @@ class Derivation:
         """The first derivation of a fact; None if it was given, or is unknown."""
         return self.reasons.get(fact)
 
-    def grounds(self, fact: Fact) -> tuple[Fact, ...]:
-        """The given facts on which the first derivation of `fact` rests, without duplicates, in order of traversal."""
-        found: dict[Fact, None] = {}
-        visited: set[Fact] = set()
-        waiting = [fact]
-        while waiting:
-            current = waiting.pop()
-            reason = self.reasons.get(current)
-            if reason is None:
-                found[current] = None
-            elif current not in visited:
-                visited.add(current)
-                waiting.extend(reversed(reason.supports))
-        return tuple(found)
-
 
 def derive(
     program: Program,

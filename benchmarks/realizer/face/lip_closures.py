@@ -19,6 +19,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.acoustic.alignment import TIMIT, aligned_words
+from benchmarks.realizer.face.lip_closure import SHUT, Closure, lip_closures, lip_opening
 from benchmarks.realizer.face.lips import still_body
 from training.alignment.timit import Sentence, read_sentences
 from understudy.acoustic.alignment.alignment import Aligner
@@ -26,7 +27,6 @@ from understudy.behavior.speech.visemes import visemes
 from understudy.model import Interval, Schedule, Word
 from understudy.realizer.face.face import face_weights
 from understudy.realizer.face.face_tables import FaceTables
-from understudy.realizer.face.lip_closure import SHUT, Closure, lip_closures, lip_opening
 from understudy.resources import resource_folder
 
 CLOSED_IN = {"pcl": "P", "bcl": "B", "m": "M", "em": "M", "f": "F", "v": "V"}

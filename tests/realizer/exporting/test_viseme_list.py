@@ -1,11 +1,9 @@
 """The list of visemes: one line a change, silence in gaps and at the end."""
 
-import json
-
 import pytest
 
 from understudy.model import Interval, Viseme
-from understudy.realizer.exporting.viseme_list import to_viseme_json, to_viseme_text
+from understudy.realizer.exporting.viseme_list import to_viseme_text
 
 
 def viseme(label: str, start_s: float, end_s: float) -> Viseme:
@@ -28,9 +26,3 @@ def viseme(label: str, start_s: float, end_s: float) -> Viseme:
 def test_text_has_a_line_for_each_change(visemes: tuple[Viseme, ...], lines: list[str]) -> None:
     found = to_viseme_text(visemes, 1.0).decode()
     assert found.replace("\t", " ").splitlines() == lines
-
-
-def test_json_has_how_far_each_is_articulated() -> None:
-    content = json.loads(to_viseme_json((viseme("PP", 0.1, 0.2),), 1.0))
-    assert content["format"] == "understudy-visemes"
-    assert content["visemes"] == [{"viseme": "PP", "start_s": 0.1, "end_s": 0.2, "articulation": 0.8, "opening": 0.4}]

@@ -7,13 +7,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from benchmarks.realizer.face.lip_closure import lip_closures
 from tests.support.examples import examples
 from tests.support.words.speaking import SKELETON, TABLES, faced, middle_s, said, shape, shown, still, times
 from understudy.model import Behavior, FloatArray, Interval, Schedule, SyncPoints, Viseme
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.face.face import face_weights
 from understudy.realizer.face.face_tables import INDEX, VISEMES
-from understudy.realizer.face.lip_closure import lip_closures
 from understudy.realizer.geometry.rotations import from_axis_angle
 
 FASTEST_PER_S = 37.5

@@ -5,12 +5,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from benchmarks.realizer.face.lip_closure import lip_closures
 from tests.support.words.speaking import faced, said, times
 from understudy.behavior.table.behavior_table import load_table
 from understudy.model import Behavior, FloatArray, SyncPoints
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.face.face_tables import INDEX
-from understudy.realizer.face.lip_closure import lip_closures
 
 TABLE = load_table(Path(__file__).resolve().parents[3] / "lexicon" / "behaviors.yaml")
 SPOKEN = said("HH AW M EH N IY P IY P AH L V UW D B AO T SH UH D", phone_s=0.09)

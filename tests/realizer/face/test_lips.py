@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from benchmarks.realizer.face.lip_closure import SHUT, lip_closures, lip_opening
 from tests.support.words.speaking import START_S, TABLES, faced, middle_s, said, shape, times
 from understudy.model import FloatArray, Interval, Viseme
 from understudy.realizer.face.face_tables import INDEX, VISEMES, Dominance
-from understudy.realizer.face.lip_closure import SHUT, lip_closures, lip_opening
 from understudy.realizer.face.lips import HORIZON_S, LEAD_S, Segments, blend, lip_sync, viseme_weights
 
 VOWELS = ["AA", "AE", "IY", "AO", "UW", "ER"]

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...model import FloatArray, Interval, Viseme
-from .face_tables import INDEX
+from understudy.model import FloatArray, Interval, Viseme
+from understudy.realizer.face.face_tables import INDEX
 
 BILABIAL, LABIODENTAL = "PP", "FF"
 

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from benchmarks.realizer.face.lip_closure import SHUT, lip_closures, lip_opening
 from understudy.model import FloatArray, Interval, Viseme
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.face.face_tables import INDEX
-from understudy.realizer.face.lip_closure import SHUT, lip_closures, lip_opening
 
 TIMES_S = np.arange(0, 1, 0.01)
 
