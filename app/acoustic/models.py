@@ -56,6 +56,12 @@ class AcousticModels:
         if aligner is not None:
             aligner.close()
 
+    def interrupt(self) -> None:
+        """Ends what another thread is aligning; see `Aligner.interrupt`."""
+        aligner = self.when_aligning.made()
+        if aligner is not None:
+            aligner.interrupt()
+
     def __enter__(self) -> Self:
         return self
 

@@ -1,10 +1,14 @@
 """The acoustic stage: from a recording and its words to contours, agitation, and word times (paper §3.1).
 
-In order: `hear` times the words of a line and measures its signal, `with_prosody` adds how the parsed words sound.
+In order: `hear` times the words of a line and measures its signal, both at the same time, for the aligner is a process
+of its own; `with_prosody` adds how the parsed words sound.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import partial
 
 from ..model import (
     Affect,
@@ -43,6 +47,9 @@ from .stress.prominence import prominence, with_listeners
 from .stress.stress import Measure, stress, with_emphasis
 from .unheard import UnheardLine, pace_words, unheard_utterance
 
+RETRY_S = 0.05
+"""An interrupted alignment that had not reached its process is interrupted again after so long."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class HeardLine:
@@ -71,10 +78,28 @@ def hear(
     if line.audio is None:
         progress("align")
         return pace_words(acoustic, transcript, line.speaking, line.timings)
-    signal = analyze_signal(acoustic, line.audio, progress, reference=reference)
-    progress("align")
-    timed = align_words(acoustic, signal.audio, transcript, line.timings)
-    return HeardLine(timed.words, signal, signal.notices + timed.notices, timed.fillers, reference)
+    progress("decode")
+    audio, notices = decode(line.audio, audio_limits(acoustic.settings))
+    with _at_the_same_time(partial(align_words, acoustic, audio, transcript, line.timings), acoustic) as aligned:
+        signal = _measured(acoustic, audio, progress, reference)
+        progress("align")
+        timed = aligned.result()
+    notices += signal.notices + timed.notices
+    return HeardLine(timed.words, signal, notices, timed.fillers, reference)
+
+
+@contextmanager
+def _at_the_same_time(align: Callable[[], Alignment], acoustic: AcousticModels) -> Iterator[Future[Alignment]]:
+    """The alignment, which waits for the aligner's process, while the block works; what ends the block early ends that
+    process too. The thread is gone after the block, so that a process may be forked."""
+    with ThreadPoolExecutor(1, thread_name_prefix="align") as beside:
+        aligned = beside.submit(align)
+        try:
+            yield aligned
+        finally:
+            while not aligned.done():
+                acoustic.interrupt()
+                wait([aligned], timeout=RETRY_S)
 
 
 def with_prosody(
@@ -118,13 +143,20 @@ def analyze_signal(
     """Measures the signal alone: its contours, the speaker's agitation (paper §3.1.1 to §3.1.4) and feeling."""
     progress("decode")
     signal, notices = decode(audio, audio_limits(acoustic.settings))
+    measured = _measured(acoustic, signal, progress, reference)
+    return replace(measured, notices=notices + measured.notices)
+
+
+def _measured(
+    acoustic: AcousticModels, signal: Audio, progress: Progress, reference: SpeakerReference | None
+) -> SignalAnalysis:
     progress("contours")
     contours = contours_of(signal)
     progress("agitation")
     stretch = Stretch(signal, contours, voice_quality(signal, contours.f0_hz))
     agitation = acoustic.agitation.agitation(contours, stretch.quality, reference)
     affect = acoustic.affect.affect_of(stretch, reference)
-    return SignalAnalysis(signal, contours, stretch.quality, agitation, affect, notices + doubts(contours.energy_db))
+    return SignalAnalysis(signal, contours, stretch.quality, agitation, affect, doubts(contours.energy_db))
 
 
 def hear_sound(acoustic: AcousticModels, sound: Audio) -> Affect:

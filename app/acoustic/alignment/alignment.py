@@ -88,6 +88,10 @@ class Aligner:
         """Stop the decoder process; a later `align` starts a new one."""
         self._process.close()
 
+    def interrupt(self) -> None:
+        """End what another thread is aligning, which raises ServiceError `aligner_crashed` there."""
+        self._process.interrupt()
+
     def align(self, audio: Audio, words: tuple[Word, ...]) -> tuple[tuple[Word, ...], tuple[Notice, ...]]:
         """The words with their intervals and phones in `audio`, and notices; see `listen`."""
         alignment = self.listen(audio, words)

@@ -132,6 +132,12 @@ class DecoderProcess:
             if self._process is not None:
                 self._end(self._process)
 
+    def interrupt(self) -> None:
+        """Kill the worker, whoever waits for it. A later `align` starts a new one."""
+        process = self._process
+        if process is not None:
+            process.kill()
+
     def _running(self) -> subprocess.Popen[bytes]:
         if self._process is not None and self._process.poll() is not None:
             self._end(self._process)
