@@ -89,7 +89,8 @@ def test_what_was_written_by_code_that_is_no_more_is_made_again(
     with monkeypatch.context() as patch:
         patch.delattr(f"{Interval.__module__}.Interval")
         assert cache.kept("thing", [make.file], lambda: ("new", None)) == ("new", None)
-    assert cache.kept("thing", [make.file], make) == ("new", None)
+    kept: object = cache.kept("thing", [make.file], make)
+    assert kept == ("new", None)
 
 
 def test_files_may_be_deleted_at_any_time(cache: Cache, make: Maker) -> None:

@@ -7,6 +7,7 @@ raters' own means, two-tailed, and one-way analysis of variance with a mean of e
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 from scipy import stats
 
@@ -30,8 +31,8 @@ class Needed:
 def raters_needed(comparison: Comparison, conditions: int) -> tuple[Needed, ...]:
     """How many raters find a small, a medium and a large effect in this comparison."""
     if comparison is Comparison.MODES:
-        return tuple(Needed(size, _fewest(lambda n, f=size: power_of_f(f, conditions, n))) for size in SIZES_OF_F)
-    return tuple(Needed(size, _fewest(lambda n, d=size: power_of_t(d, n))) for size in SIZES_OF_T)
+        return tuple(Needed(size, _fewest(partial(power_of_f, size, conditions))) for size in SIZES_OF_F)
+    return tuple(Needed(size, _fewest(partial(power_of_t, size))) for size in SIZES_OF_T)
 
 
 def power_of_t(d: float, raters: int) -> float:

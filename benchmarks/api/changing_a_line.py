@@ -14,7 +14,8 @@ from contextlib import ExitStack
 import psutil
 from playwright.sync_api import Page, sync_playwright
 
-from tests.studio.conftest import CHROMIUM, FLAGS, SIZE
+from tests.studio.conftest import CHROMIUM, SIZE
+from tests.studio.serving import FLAGS
 from tests.studio.waiting import wait_until
 
 from .watching import HOST, Running, percentile, serving

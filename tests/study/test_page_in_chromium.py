@@ -113,7 +113,7 @@ def test_versions_are_compared_with_the_face_hidden_and_what_was_answered_is_kep
     found = read_answers([_saved(page, tmp_path)], studies[Comparison.UNITS] / "key.csv")
     assert len({each.chosen for each in found.verdicts if each.chosen is not None}) == 1
     assert [each.dimension for each in found.verdicts if each.chosen is None] == ["competent"]
-    assert found.understood == (3,)
+    assert [each.level for each in found.understood] == [3]
 
 
 def test_nothing_on_the_page_tells_what_is_what(studies: dict[Comparison, Path]) -> None:

@@ -107,7 +107,8 @@ def two_factors(values: Sequence[float], first: Sequence[str], second: Sequence[
     `first` and `second` have the level of each value.
     """
     one, other = _dummies(first), _dummies(second)
-    both = np.hstack([one[:, [column]] * other for column in range(one.shape[1])] or [one])
+    products: list[FloatArray] = [one[:, [column]] * other for column in range(one.shape[1])]
+    both = np.hstack(products or [one])
     observed, ones = np.asarray(values, dtype=float), np.ones((len(values), 1))
     alone = [np.hstack([ones, one]), np.hstack([ones, other])]
     additive, full = np.hstack([ones, one, other]), np.hstack([ones, one, other, both])

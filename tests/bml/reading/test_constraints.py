@@ -87,7 +87,7 @@ def test_the_speech_stays_where_only_a_point_before_0_would_bring_them_together(
 def test_a_speech_that_is_heard_ends_when_it_is_asked_to_and_keeps_its_length() -> None:
     said = "<text>we <sync id='s1'/>come in peace</text>"
     found = resolved(f'<speech id="s" end="6">{said}</speech><head id="h" lexeme="NOD" start="s:s1"/>', WORDS)
-    assert (found.speech_start_s, found.behaviors[0].sync.start) == (pytest.approx(3.4), pytest.approx(4.8))
+    assert (found.speech_start_s, found.behaviors[0].sync.start) == pytest.approx((3.4, 4.8))
     assert found.notices == ()
     found = resolved(
         f'<speech id="s" start="1" end="6">{said}</speech><head id="h" lexeme="NOD" start="s:end"/>', WORDS
