@@ -108,7 +108,7 @@ def why_not_json(error: ValueError | RecursionError) -> str:
 @dataclass(frozen=True, slots=True)
 class Mistake:
     """A mistake in a file that authors write. Line and column count from 1; `source_line` is the line itself. A link
-    is told as the file that it points to (`understudy.authored_folders`)."""
+    is shown as the file that it points to (`understudy.authored_folders`)."""
 
     path: Path
     line: int

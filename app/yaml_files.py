@@ -27,7 +27,7 @@ MOST_NODES = 50_000
 """Keys, values, lists and mappings of one file; the largest of ours has 5,000."""
 
 MOST_MISTAKES = 100
-"""That are told of one file; with more something else is wrong with it."""
+"""The most mistakes reported of one file; with more, something else is wrong with it."""
 
 _LONGEST_LINE = 500
 """Characters of a line that is quoted with a mistake in it."""

@@ -104,7 +104,7 @@ class BehaviorStage(Protocol):
 @dataclass(frozen=True, slots=True)
 class Performer:
     """Who performs a line, and what the line, the rules, the notes and the caller ask for; the character already has
-    the habits of the profile. What was offered and is not shown is told if it came so `near` (`choice.offered`)."""
+    the habits of the profile. What was offered and is not shown is reported if it came so `near` (`choice.offered`)."""
 
     models: BehaviorStage
     character: Character

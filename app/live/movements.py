@@ -1,7 +1,7 @@
 """Hands, head and brows by what the voice announces: a beat where a stroke or its preparation is announced, held as
 long as a hold is, a movement of the head or the brows where one is. Times are seconds of the stream.
 
-What is held is held a little longer as long as nothing else is announced: a time to relax that was told may move on,
+A hold is extended a little as long as nothing else is announced: a time to relax that was sent may be put off,
 never back but to make way for another movement, and nothing is held for long after the last sound.
 
 A beat begun by a preparation strikes when the stroke is announced, at the latest when a preparation usually ends.
@@ -28,7 +28,7 @@ PREPARATION_S = 0.48
 LONGEST_HOLD_S = 2.0
 
 HELD_AHEAD_S = 0.4
-"""So far ahead of now what is held is held, and it is told anew when half of that has passed."""
+"""How far ahead a hold is announced; it is sent again when half of that has passed."""
 
 _HOLD_S = 0.25
 """How long a beat is held about which nothing more is heard."""
@@ -63,7 +63,7 @@ class Movements:
     holds_until_s: float = 0.0
 
     def moved(self, event: LiveEvent, now_s: float) -> Iterator[Behavior]:
-        """What an announcement has the body do from now on."""
+        """The behaviours that follow from an announcement."""
         parts = {"hands": self._hands, "head": self._head, "brows": self._brows}
         yield from parts[event.part](event.state, now_s)
 
@@ -77,7 +77,7 @@ class Movements:
             yield longer
 
     def release(self) -> None:
-        """The voice has ended: nothing is held longer than was told."""
+        """The voice has ended: holds are not extended any more."""
         self.brows, self.holds_until_s = None, 0.0
 
     def forget(self) -> None:

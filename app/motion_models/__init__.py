@@ -1,5 +1,5 @@
-"""Motion from data: a model learnt from recordings of speech with their motion performs other recordings, or a voice
-that goes on, with the recorded movements themselves.
+"""Motion from data: a model learnt from recordings of speech with their motion performs other recordings, or live
+speech, with the recorded movements themselves.
 
 `pairs` reads recordings, `bodies` brings their motion to our skeleton; `training` cuts the motion into phrases,
 clusters these into kinds (`clustering`) and learns the semi-Markov model of kinds, prosody and affect

@@ -1,4 +1,4 @@
-"""Plays a motion model's units to a voice that goes on (RTS §2.3): the modified Viterbi search decodes its prosody, a
+"""Plays a motion model's units to live speech (RTS §2.3): the modified Viterbi search decodes its prosody, a
 phrase is announced as soon as its kind is likely, and the unit that joins best is played.
 
 Announced phrases are what bodies move by, and may turn out otherwise; decided ones are final, at the latest

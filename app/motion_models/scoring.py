@@ -5,7 +5,7 @@ Correlations are first canonical ones, a recording each. Streams as smooth as th
 `chance` has each recording's counterpart from the next. Divergences are symmetric ones, in nats, over all recordings
 together: of the shares of kinds in frames, of durations whatever the kind, and of durations kind by kind, weighed by
 the kinds' frames in the original. Energies are kinetic ones of the arms, the sum of squared angular velocities over
-joints in rad²/s², and what is told is the mean difference from the original's frame by frame.
+joints in rad²/s², and the score is the mean difference from the original's frame by frame.
 """
 
 import time

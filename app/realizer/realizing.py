@@ -184,7 +184,7 @@ def _moving_body(
     targets_m: Mapping[str, Position],
     seed: int,
 ) -> tuple[BodyMotion, tuple[Decision, ...]]:
-    """The body by the controllers in order, and what is told of its looks with gestures and of its steps."""
+    """The body by the controllers in order, and the decisions about its looks with gestures and its steps."""
     lively = 1 - schedule.stillness
     accents = accents_of(plan, times_s, style.stroke, scale=lively)
     body = idle_motion(skeleton, times_s, schedule, seed=seed, life=style.idle, with_legs=False)

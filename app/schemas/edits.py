@@ -48,12 +48,12 @@ def _counted(edits: object) -> object:
 
 
 def _affect_given(told: object) -> object:
-    """What is told of a feeling, also by a value that is to be written."""
+    """The JSON of a feeling, or of a value that is to be written."""
     return affect_rows(told) if isinstance(told, AffectTrack) else told
 
 
 def _usable_affect(told: AffectValue) -> AffectValue:
-    """Raises ValueError for what is no feeling."""
+    """Raises ValueError for a value that is not a feeling."""
     try:
         affect_track(told)
     except InputError as error:

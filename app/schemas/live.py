@@ -1,4 +1,6 @@
-"""The messages of a live stream (docs/live.md): what a client says, checked and as values; what is told, as JSON."""
+"""The messages of a live stream (docs/live.md): what a client sends, as checked values; what the service sends, as
+JSON.
+"""
 
 import json
 from collections.abc import Mapping

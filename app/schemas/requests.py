@@ -1,6 +1,6 @@
 """Reads JSON objects that users send, and says what is wrong with them: the key, the reason, the nearest right name.
 
-Mistakes are told each with its place, cut after the first few.
+Each mistake is reported with its place, up to the first few.
 
 A line without a recording (`understudy say`, `POST /perform` without audio) comes as marked text.
 """

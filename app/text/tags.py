@@ -75,7 +75,7 @@ class _Found:
 
 
 def read_tagged(text: str, table: TagTable) -> SpokenText:
-    """Raises InputError `tags_wrong` for what is no XML, and for tags whose attributes cannot be read."""
+    """Raises InputError `tags_wrong` for malformed XML, and for tags whose attributes cannot be read."""
     found = _Reader(table).read(text)
     speaking = Speaking(
         frozenset(found.emphasized),

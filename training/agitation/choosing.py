@@ -1,8 +1,8 @@
 """Chooses how a model is trained, by a small grid search on the training speakers alone, some of them held out.
 
-The recipe whose memberships surprise least is taken: the mean negative log of the membership that the held-out
-recordings have, with their levels alike, as they were recorded; half of it English, since that is what we hear. The
-kernel of the choice is for a speaker unknown; the machine for a known one is trained by the same recipe.
+Selects the hyper-parameters with the lowest held-out cross-entropy: the mean negative log of the membership that the
+held-out recordings have, with their levels alike, as they were recorded; half of it English, since that is what we
+hear. The kernel of the choice is for a speaker unknown; the machine for a known one is trained by the same recipe.
 """
 
 from collections.abc import Iterator, Mapping

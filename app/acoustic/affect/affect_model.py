@@ -27,7 +27,7 @@ from ..agitation.speaker import TypicalSpeaker
 from ..agitation.stored import read_arrays, write_arrays
 
 FEATURE_SET = "full"
-"""The features of `FEATURE_SETS` that affect is told by."""
+"""The features of `FEATURE_SETS` from which affect is predicted."""
 
 DIMENSIONS = ("activation", "valence", "dominance")
 

@@ -124,7 +124,7 @@ def _weights(taught: LabelledRecordings) -> FloatArray:
 
 
 def _chosen(taught: LabelledRecordings) -> Kernel:
-    """The kernel with which held-out recordings surprise least."""
+    """The kernel with the lowest held-out cross-entropy."""
     features, weights = _typical(taught).completed(taught.features), _weights(taught)
     kernels = list(_kernels(features.shape[1]))
     surprises = [_surprise(features, weights, taught.groups, kernel) for kernel in kernels]

@@ -42,7 +42,7 @@ class PauseTable(Entry):
     @field_validator("pauses_s")
     @classmethod
     def _single_marks(cls, pauses_s: dict[str, float]) -> dict[str, float]:
-        """The pauses by mark; raises ValueError for what is no single punctuation mark."""
+        """The pauses by mark; raises ValueError for a key that is not one punctuation mark."""
         for mark in pauses_s:
             if len(mark) != 1 or mark.isalnum() or mark.isspace():
                 raise ValueError(f"{mark!r} is no punctuation mark; give one character")

@@ -49,7 +49,7 @@ class RecordingFile:
 
 def find_recordings(folder: Path, *, without: Path) -> tuple[RecordingFile, ...]:
     """The recordings under `folder`, sorted by name, except hidden ones, those under `without` (our output folder) and
-    what is no regular file, such as a pipe; compressed ones only where no other has their name.
+    special files such as pipes; compressed ones only where no other has their name.
 
     Raises InputError `file_unreadable`.
     """

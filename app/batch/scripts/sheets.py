@@ -46,7 +46,7 @@ def within_limits(rows: Iterable[list[str]], path: Path) -> Iterator[list[str]]:
         )
         for count, most, what in limits:
             if count > most:
-                message = f"{path}: more than {most:,} {what} by row {number}; divide it, or delete what is no script"
+                message = f"{path}: more than {most:,} {what} by row {number}; divide it, or delete other rows"
                 raise TooLargeError("sheet_too_large", message, field="script")
         yield row
 

@@ -114,7 +114,7 @@ def _worksheets(content: bytes, path: Path) -> dict[str, list[list[str]]]:
 
 
 def _require_small(content: bytes, path: Path) -> None:
-    """Raises TooLargeError `sheet_too_large` for what unpacks to more than anybody has typed."""
+    """Raises TooLargeError `sheet_too_large` for a sheet that unpacks to more than a person could have typed."""
     with ZipFile(io.BytesIO(content)) as packed:
         unpacked = sum(part.file_size for part in packed.infolist())
     if unpacked > LARGEST_UNPACKED_BYTES:

@@ -1,7 +1,7 @@
 """Slots as text in our own namespace: `height=child height_m=0.95 side=left`, in the order of `Slots`.
 
-What is no slot, or no value of it, is left out in reading: a file may be edited by hand, and a gesture without a slot
-is still a gesture.
+Anything that is not a slot or one of its values is left out in reading: a file may be edited by hand, and a gesture
+without a slot is still a gesture.
 """
 
 from dataclasses import fields

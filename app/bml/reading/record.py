@@ -139,7 +139,7 @@ def _times_s(found: Mapping[str, Value], name: str) -> tuple[float, ...] | None:
 
 
 def _manner(found: Mapping[str, Value]) -> Manner | None:
-    """The amplitude, speed and tension that are told, where they are three positive numbers."""
+    """The amplitude, speed and tension in the record, if they are three positive numbers."""
     told = (_text(found, "manner") or "").split()
     try:
         numbers = [float(part) for part in told]

@@ -107,5 +107,5 @@ def _engine(arguments: argparse.Namespace, workers: int, settings: Settings) -> 
 def _told(entries: tuple[ManifestEntry, ...], out: Path, log: Log) -> int:
     failed = [entry for entry in entries if entry.state is State.FAILED]
     done = len(entries) - len(failed)
-    log.note(f"{done} lines done, {len(failed)} failed; {out / 'report.csv'} tells of each")
+    log.note(f"{done} lines done, {len(failed)} failed; {out / 'report.csv'} has the reason for each")
     return SOME_FAILED if failed else 0

@@ -9,7 +9,7 @@ Nobody has published the layout. This one is what three readers of others, indep
 Values come in the order of Unreal's EARFaceBlendShape: the 52 shapes of ARKit in [0, 1], then yaw, pitch and roll of
 the head and of either eye. A fourth reader's table, of a Godot plugin, has jaw and mouth go right before left; Unreal's
 own and the others' have left first, and so has this. Which way the angles turn those readers do not say, so they are
-zero; where the eyes look is told by shapes.
+zero; the direction of the eyes is sent as shapes.
 """
 
 import struct
@@ -44,7 +44,7 @@ _COLUMNS = [INDEX[name] for name in ORDER]
 
 
 class LiveLinkFaceWriter:
-    """Makes datagrams of frames; `device` is told apart by receivers, the same each time if none is given."""
+    """Makes datagrams of frames; receivers distinguish them by `device`, the same each time if none is given."""
 
     def __init__(self, frame_rate_hz: int, *, subject: str = SUBJECT, device: uuid.UUID | None = None) -> None:
         self._rate_hz = frame_rate_hz

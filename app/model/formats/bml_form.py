@@ -1,4 +1,4 @@
-"""The form in which a schedule is written as BML: its dialect, how times are told, the names of files and visemes."""
+"""The form in which a schedule is written as BML: its dialect, how times are written, names of files and visemes."""
 
 from dataclasses import dataclass
 from enum import StrEnum
@@ -20,7 +20,7 @@ class TimeForm(StrEnum):
 
 
 class VisemeNames(StrEnum):
-    """Whose names of mouth shapes are used."""
+    """The vocabulary of mouth shapes."""
 
     SMARTBODY = "smartbody"
     FACEFX = "facefx"

@@ -177,7 +177,7 @@ def unknown_attributes(span: TrackSpan, checking: Checking) -> None:
 
 
 def hand_of(span: TrackSpan, checking: Checking) -> Hand:
-    """The hand of a phrase, which must be said; where no phrase says it, the track is told, not each."""
+    """The hand of a phrase, which must be said; where no phrase says it, the track is reported once."""
     said = span.attributes.get("hand", "").strip().lower()
     if said not in HANDS and (said or checking.hands_said):
         checking.wrong("phrases", span.start_s, f"hand {said!r}; give RH, LH or 2H")

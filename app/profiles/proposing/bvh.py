@@ -36,7 +36,7 @@ class WristPaths:
 
 
 def read_wrists(content: bytes, path: Path) -> WristPaths:
-    """The wrists of a file; raises AnnotationError for what is no BVH, or has no wrists that we know."""
+    """The wrists of a file; raises AnnotationError for a file that is not BVH or has no known wrists."""
     try:
         bvh = read_bvh(content, "it")
     except InputError as error:

@@ -11,7 +11,7 @@ what players interpolate there, until none is further than the tolerance. Rotati
 arc (slerp) and their distance is an angle; everything else is interpolated linearly, its distance the largest of its
 components'. All stretches are measured together, so that ten minutes take seconds.
 
-A motion's sync points and decisions are told as JSON, for programs that play it.
+A motion's sync points and decisions are written as JSON, for programs that play it.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence

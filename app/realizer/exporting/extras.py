@@ -1,4 +1,4 @@
-"""Whether what a format needs beside our own code is there, so that no work is done in vain."""
+"""Whether what a format needs beside our own code is there, before any work is done."""
 
 from importlib.util import find_spec
 

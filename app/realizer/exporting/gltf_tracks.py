@@ -1,7 +1,7 @@
 """Reads what turns the nodes of a glTF file: the rotations of its animations and the bind pose of its skins.
 
-The file is anybody's: every number of an accessor, view and node is checked before it is used (`_Numbers`). Quaternions
-x y z w, seconds. Rotations alone are read, since translations do not change a joint's angles.
+The file may come from anywhere: every number of an accessor, view and node is checked before it is used (`_Numbers`).
+Quaternions x y z w, seconds. Rotations alone are read, since translations do not change a joint's angles.
 """
 
 from collections.abc import Iterator, Mapping
@@ -101,7 +101,7 @@ class _Numbers:
         shape, strides = (accessor.count, _COLUMNS[kind]), (stride, np.dtype(form).itemsize)
         found = np.ndarray(shape, form, self.content, start, strides).astype(np.float64) / scale
         if not np.isfinite(found).all():
-            raise ValueError(f"accessors.{number} holds what is no number")
+            raise ValueError(f"accessors.{number} holds a value that is not a number")
         return found
 
 

@@ -63,7 +63,7 @@ class Look:
 
     @property
     def decision(self) -> Decision:
-        """What is told of it."""
+        """The decisions about it."""
         start_s, relax_s = self.gaze.sync.start, self.gaze.sync.relax or self.gaze.sync.end
         reason = f"the eyes go with it from {start_s:.2f} s, before the hand at {self.hand_s:.2f} s, to {relax_s:.2f} s"
         return Decision(str(self.gaze.target), "watched", reason)

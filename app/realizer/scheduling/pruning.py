@@ -71,7 +71,7 @@ def _dropped(first: PlacedGesture, hurdle: Obstacle) -> Decision:
 
 
 def _made_way(rival: PlacedGesture, winner: PlacedGesture, hurdle: Obstacle) -> Decision:
-    """The reason is told from the point of view of the gesture that stays."""
+    """The reason is given from the point of view of the gesture that stays."""
     stays = f"{winner.request.behavior} stays, for its priority is {winner.request.priority:g}"
     reason = f"for {winner.request.behavior}: {hurdle.reason}. {stays}, not {rival.request.priority:g}."
     return Decision(rival.request.behavior, "dropped", f"{reason} {_remedy(winner, rival, hurdle.missing_s)}")

@@ -35,7 +35,7 @@ from ..gestures.gesture_space import sector_m
 Point = tuple[float, float, float]
 
 TINY_M = 0.03
-"""What is no larger is between two fingers of one hand."""
+"""The greatest size that is shown between two fingers of one hand."""
 
 _CENTRE = SectorPlace(Sideways.C, HeightSector.CC, Depth.MIDDLE)
 _CENTRE_M = sector_m(_CENTRE)

@@ -55,7 +55,7 @@ class FootStep:
 def with_steps(
     skeleton: Skeleton, body: BodyMotion, schedule: Schedule, *, seed: int
 ) -> tuple[BodyMotion, tuple[Decision, ...]]:
-    """The body that steps, and what is told of it; deterministic for a seed."""
+    """The body that steps, and the decisions about it; deterministic for a seed."""
     steps = steps_of(schedule, seed=seed)
     if not steps:
         return body, ()

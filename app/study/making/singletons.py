@@ -169,7 +169,7 @@ def in_modes(models: Understudy, study_line: StudyLine) -> Mapping[str, Performa
 
 
 def with_gestures_of(gesturing: Performance, moving: Performance) -> Performance:
-    """The performance `moving` with the gestures of `gesturing`; names of behaviours are told apart by channel."""
+    """The performance `moving` with the gestures of `gesturing`; behaviours are named by channel."""
 
     def is_gesture(behavior: Behavior) -> bool:
         return behavior.kind is Channel.GESTURE

@@ -1,4 +1,5 @@
-"""The statistics of NGS's recognition of speakers (§3.5): whether the gestures of one are told from another's.
+"""The statistics of NGS's recognition of speakers (§3.5): whether raters can tell one speaker's gestures from
+another's.
 
 In test 1 a clip is seen alone, in test 2 beside one of another speaker. Each test compares the raters' shares of right
 answers with chance, one of as many as there are speakers, by Student's t, two-tailed as in the paper, and all answers

@@ -11,7 +11,7 @@ _USUAL = (1, 250)
 
 
 def take_in(scene: Any, clip: Clip, zero_frame: float, rate_hz: float) -> None:
-    """Has the scene begin and end with its lines: the first sets the range, later ones widen it."""
+    """Sets the scene's frame range to its lines: the first sets the range, later ones widen it."""
     first, last = floor(zero_frame + clip.start_s * rate_hz), ceil(zero_frame + clip.end_s * rate_hz)
     alone = sum(1 for each in scene.objects if each.type == "ARMATURE" for _strip in _lines(each)) <= 1
     if alone or (scene.frame_start, scene.frame_end) == _USUAL:

@@ -1,7 +1,7 @@
 """BML as strips know it: which behaviours a file has, and the file with some moved, made longer, or left out.
 
 Both BML 1.0 and SmartBody's dialect are read, each element by its local name. What is not changed stays as it was
-written, other namespaces too. Files may be anybody's: a DOCTYPE, and so every entity, is refused.
+written, other namespaces too. Files may come from anywhere: a DOCTYPE, and so every entity, is refused.
 """
 
 import re

@@ -1,4 +1,4 @@
-"""BML in and out: a file of anybody's is played on the armature, a performance is written with its strips' changes."""
+"""Imports BML from any source and plays it on the armature; exports performances with their strips' changes."""
 
 from pathlib import Path
 from typing import Any
@@ -19,7 +19,7 @@ from .strips import changed_bml, chosen_record
 
 
 class ImportBml(JobOperator, ImportHelper):
-    """Play BML on the active armature: BML 1.0 or SmartBody's, of Understudy or of anybody"""
+    """Play BML on the active armature: BML 1.0 or SmartBody's, from Understudy or elsewhere"""
 
     bl_idname = "understudy.import_bml"
     bl_label = "Import BML"
