@@ -62,6 +62,7 @@ def opened_page(
     context = browser.new_context(
         viewport=size or SIZE, color_scheme=theme, accept_downloads=True, base_url=service_url
     )
+    context.add_init_script("localStorage.setItem('understudy-advanced', 'yes')")
     made = context.new_page()
     made.set_default_timeout(PATIENCE_MS)
     made.on("pageerror", lambda error: faults.append(str(error)))

@@ -83,7 +83,7 @@ function marks(store, behavior) {
     const time_s = behavior.sync[mark];
     return time_s === undefined ? [] : [labelled(plain(mark), markField(store, behavior, mark, time_s))];
   });
-  return el("fieldset", { class: "marks" }, [el("legend", {}, ["Timing, s"]), ...rows]);
+  return el("fieldset", { class: "marks" }, [el("legend", {}, ["Timing, in seconds"]), ...rows]);
 }
 
 /**

@@ -5,6 +5,7 @@
  */
 
 import { choice, el, labelled } from "../dom.js";
+import { icon } from "../icons.js";
 import { problemOf } from "../service/service.js";
 import { PROBLEM } from "../state/performed.js";
 import { Bodies } from "../stage/bodies.js";
@@ -42,9 +43,10 @@ export function preview(store, service) {
 function controls(store) {
   const levels = choice(LEVELS, "medium", (level) => store.patch(PREVIEW, { level: /** @type {Level} */ (level) }));
   levels.id = "gesture-level";
-  const play = el("button", { type: "button", id: "gesture-play", click: () => toggle(store) }, ["Play"]);
+  const play = el("button", { type: "button", id: "gesture-play", click: () => toggle(store) }, []);
   store.watch(PREVIEW, ({ playing }) => {
     play.setAttribute("aria-pressed", String(playing));
+    play.replaceChildren(icon(playing ? "pause" : "play"), playing ? "Pause" : "Play");
   });
   return el("div", { class: "transport", role: "toolbar", "aria-label": "Playing the gesture" }, [play, labelled("Agitation", levels)]);
 }

@@ -3,8 +3,9 @@
 import { el, fileButton, labelled } from "../dom.js";
 import { problemOf } from "../service/service.js";
 import { PROBLEM } from "../state/performed.js";
-import { takeText, textNow } from "./checking.js";
-import { ChangeGestures, EDITED, FIRST, FRAME, gestureOf } from "./gestures.js";
+import { takeText } from "./checking.js";
+import { ChangeGestures, EDITED, FIRST, FRAME } from "./gestures.js";
+import { askWhereToSave, download, IS_WRITABLE, save, SAVED } from "./saving.js";
 
 /** @import { Gestures } from "understudy-client" */
 /** @import { Service } from "../service/service.js" */
@@ -26,8 +27,28 @@ export function tools(store, service) {
     }
   });
   const fresh = el("button", { type: "button", id: "gesture-new", click: () => begin(store) }, ["New"]);
-  const save = el("button", { type: "button", id: "gesture-save", class: "primary", click: () => void download(store, service) }, ["Save"]);
-  return el("div", { class: "tools inline", role: "toolbar", "aria-label": "Gesture files" }, [fresh, open, labelled("From the library", library), names, save]);
+  return el("div", { class: "tools inline", role: "toolbar", "aria-label": "Gesture files" }, [fresh, open, labelled("From the library", library), names, ...saving(store, service)]);
+}
+
+/**
+ * Saving into the author's folder where there is one, else as a file; a file can be had in either case.
+ *
+ * @param {Store} store
+ * @param {Service} service
+ */
+function saving(store, service) {
+  const keep = () => (store.get(IS_WRITABLE) ? void save(store, service) : void download(store, service));
+  const kept = el("button", { type: "button", id: "gesture-save", class: "primary", click: keep }, ["Save"]);
+  const file = el("button", { type: "button", id: "gesture-download", click: () => void download(store, service) }, ["Download"]);
+  const told = el("output", { id: "gesture-saved", class: "quiet" });
+  store.watch(IS_WRITABLE, (isWritable) => {
+    file.hidden = !isWritable;
+    kept.title = isWritable ? "Saves the gesture into the author's folder" : "Saves the gesture as a file";
+  });
+  store.watch(SAVED, (saved) => (told.value = saved));
+  store.watch(EDITED, () => store.set(SAVED, ""));
+  void askWhereToSave(store, service);
+  return [told, file, kept];
 }
 
 /** @param {Store} store */
@@ -47,18 +68,5 @@ async function fill(store, service, names) {
     names.replaceChildren(...gestures.map(({ name }) => el("option", { value: name })));
   } catch (error) {
     store.set(PROBLEM, problemOf(error));
-  }
-}
-
-/**
- * @param {Store} store
- * @param {Service} service
- */
-async function download(store, service) {
-  const text = await textNow(store, service);
-  if (text !== null) {
-    const url = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
-    el("a", { href: url, download: `${gestureOf(store.get(EDITED)).name}.gesture` }).click();
-    URL.revokeObjectURL(url);
   }
 }

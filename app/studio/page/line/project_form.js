@@ -14,6 +14,8 @@ import { STARTING } from "./starting.js";
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
 
+/** Under this name the browser keeps whether the rare settings are seen. */
+const UNFOLDED = "understudy-advanced";
 const EXAMPLE_PROFILES = ["sparing", "sweeping"];
 const LEVELS = /** @type {const} */ ([["", "As heard"], ["low", "Low"], ["medium", "Medium"], ["high", "High"]]);
 const TONES = /** @type {const} */ (["neutral", "happy", "sad", "angry", "afraid", "disgusted", "surprised"]);
@@ -75,7 +77,19 @@ function options(store, service) {
   const rare = { Seed: seed, Choice: chosen.choice, "Gestures from": chosen.mode, Profile: profile };
   const rows = (/** @type {Record<string, HTMLElement>} */ named) =>
     el("div", { class: "rows" }, Object.entries(named).map(([name, control]) => labelled(name, control)));
-  return el("div", { class: "settings" }, [el("h3", {}, ["Delivery"]), rows(first), foldable("Advanced", [rows(rare), examples])]);
+  return el("div", { class: "settings" }, [el("h3", {}, ["Delivery"]), rows(first), advanced([rows(rare), examples])]);
+}
+
+/**
+ * What few change: folded, unless it was unfolded in this browser before.
+ *
+ * @param {readonly Node[]} parts
+ */
+function advanced(parts) {
+  const made = foldable("Advanced", parts);
+  made.open = localStorage.getItem(UNFOLDED) === "yes";
+  made.addEventListener("toggle", () => localStorage.setItem(UNFOLDED, made.open ? "yes" : "no"));
+  return made;
 }
 
 /** What fields show of options that were not set. @type {Readonly<Record<string, string>>} */

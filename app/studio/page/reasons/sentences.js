@@ -48,14 +48,12 @@ export function whyOf(performance, behavior) {
     return `It is not made: ${note || "something else was worth more there"}.`;
   }
   const meant = [meantBy(performance, behavior), chosenFor(performance, behavior)].filter(Boolean).join("; ");
-  const told = [meant, note].filter(Boolean);
-  return (told.length > 0 ? told : [UNMEANT[typeof behavior.edit] ?? ALIVE]).map(sentence).join(" ");
+  const changed = typeof behavior.edit === "number" ? (meant ? "you changed it" : "you added it") : "";
+  const told = [changed, meant, note].filter(Boolean);
+  return (told.length > 0 ? told : [ALIVE]).map(sentence).join(" ");
 }
 
 const ALIVE = "so that the body is alive between what it says";
-
-/** By the type of a behaviour's number among the edits. @type {Readonly<Record<string, string>>} */
-const UNMEANT = Object.freeze({ number: "you added it" });
 
 /**
  * @param {Performance} performance
@@ -72,7 +70,7 @@ function meantBy({ functions }, behavior) {
  */
 function chosenFor({ moments }, behavior) {
   const [best, next] = (moments.find(({ id }) => id === behavior.moment)?.families ?? []).map(familyName);
-  return best ? `here “${best}” fits best${next ? `, before “${next}”` : ""}` : "";
+  return best ? `the best fit is “${best}”${next ? `, then “${next}”` : ""}` : "";
 }
 
 /**

@@ -32,11 +32,19 @@ export function groupsOf(items) {
   /** @type {Map<string, Item[]>} */
   const groups = new Map();
   for (const item of items) {
-    const found = item.class && !item.class.includes("$") ? functionName({ class: item.class }) : fileName(item.file);
-    const name = found.replace(/^(an?|the) /, "");
+    const name = groupOf(item);
     groups.set(name, [...(groups.get(name) ?? []), item]);
   }
   return [...groups].map(([name, found]) => ({ name, items: found })).sort((one, other) => one.name.localeCompare(other.name));
+}
+
+/** @param {Item} item */
+function groupOf({ kind, class: of, file }) {
+  if (kind === "file") {
+    return file.endsWith("/weights.yaml") ? "weights" : (file.split("/").at(-2) ?? file);
+  }
+  const found = of && !of.includes("$") ? functionName({ class: of }) : fileName(file);
+  return found.replace(/^(an?|the) /, "");
 }
 
 /** @param {string} file */

@@ -1,14 +1,16 @@
 /** The rules, words and movements of the service, what the author has made of their files, and what was said of that. */
 
+import { lexiconFiles, readFile } from "../service/files.js";
 import { problemOf } from "../service/service.js";
 import { PROBLEM } from "../state/performed.js";
 import { slice } from "../state/slice.js";
 
-/** @import { PlacedMistake, RuleComparison, RuleExplanations, RuleFile, RuleFiles, Rules } from "understudy-client" */
+/** @import { PlacedMistake, RuleComparison, RuleExplanations, RuleFiles, Rules } from "understudy-client" */
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
 
-/** @typedef {Rules["rules"][number]} Item */
+/** @typedef {Rules["rules"][number]} Rule */
+/** A rule, a word, a movement, or a whole file. @typedef {Omit<Rule, "kind"> & { kind: Rule["kind"] | "file" }} Item */
 
 export const ITEMS = slice(/** @type {readonly Item[]} */ ([]));
 
@@ -19,6 +21,9 @@ export const CHOSEN = slice(/** @type {Item | null} */ (null));
 export const EXPLAINED = slice(/** @type {RuleExplanations | null} */ (null));
 
 export const FILES = slice(/** @type {RuleFiles} */ ({ files: [], saved: [], writable: false }));
+
+/** Files that are no rules or words, and are edited as texts: characters, profiles, weights. */
+export const OTHERS = slice(/** @type {RuleFiles} */ ({ files: [], saved: [], writable: false }));
 
 /** The texts of files as they are in use, by their names. */
 export const IN_USE = slice(/** @type {Readonly<Record<string, string>>} */ ({}));
@@ -38,15 +43,49 @@ export const COMPARED = slice(/** @type {RuleComparison | null} */ (null));
  */
 export async function loadBook(store, service) {
   await told(store, async () => {
-    const [{ rules }, words, files] = await Promise.all([
+    const [{ rules }, words, files, others] = await Promise.all([
       service.client.listRules(),
       service.fetch("lexicon").then((answer) => answer.json()),
       service.fetch("rules/files").then((answer) => answer.json()),
+      lexiconFiles(service),
     ]);
-    store.set(ITEMS, [...rules, .../** @type {Rules} */ (words).rules]);
+    const texts = others.files.filter((name) => !name.endsWith(".gesture") && !files.files.includes(name));
     store.set(FILES, /** @type {RuleFiles} */ (files));
+    store.set(OTHERS, { ...others, files: texts });
+    store.set(ITEMS, [...rules, .../** @type {Rules} */ (words).rules, ...texts.map(itemOf)]);
     await Promise.all(store.get(FILES).saved.map((name) => loadText(store, service, name)));
   });
+}
+
+/**
+ * A file as something to choose.
+ *
+ * @param {string} file as `lexicon/characters/reserved.yaml`
+ * @returns {Item}
+ */
+export function itemOf(file) {
+  const name = file.split("/").at(-1) ?? file;
+  return { kind: "file", name: name.replace(/\.\w+$/, ""), file, line: 1 };
+}
+
+/**
+ * Where a file is read and saved.
+ *
+ * @param {Store} store
+ * @param {string} name
+ */
+export function pathOf(store, name) {
+  return `${store.get(OTHERS).files.includes(name) ? "lexicon" : "rules"}/files/${name}`;
+}
+
+/**
+ * Drafts of rules and words alone: what a line can be performed by.
+ *
+ * @param {Store} store
+ */
+export function ruleDrafts(store) {
+  const others = store.get(OTHERS).files;
+  return Object.fromEntries(Object.entries(store.get(DRAFTS)).filter(([name]) => !others.includes(name)));
 }
 
 /**
@@ -61,7 +100,7 @@ export async function loadText(store, service, name) {
     return;
   }
   await told(store, async () => {
-    const { text, saved } = /** @type {RuleFile} */ (await (await service.fetch(`rules/files/${name}`)).json());
+    const { text, saved } = await readFile(service, pathOf(store, name));
     store.patch(IN_USE, { [name]: text });
     if (saved) {
       store.patch(DRAFTS, { [name]: text });
@@ -75,6 +114,10 @@ export async function loadText(store, service, name) {
  * @param {Item} item
  */
 export async function explain(store, service, item) {
+  if (item.kind === "file") {
+    store.set(EXPLAINED, null);
+    return;
+  }
   await told(store, async () => {
     const found = await posted(service, "rules/explain", { name: item.name });
     if (store.get(CHOSEN) === item) {

@@ -12,9 +12,10 @@ const MOST_NAMED = 30;
 
 /** @param {Store} store */
 export function ruleDetails(store) {
-  const explained = el("div", { id: "rule-explained" }, [el("p", { class: "quiet" }, ["What a rule comes from, what it leads to, and what your changes do to other lines is shown here."])]);
+  const hint = el("p", { class: "quiet" }, ["What a rule comes from, what it leads to, and what your changes do to other lines is shown here."]);
+  const explained = el("div", { id: "rule-explained" });
   const compared = el("div", { id: "rules-compared", role: "status" });
-  store.watch(EXPLAINED, (found) => found && explained.replaceChildren(...explanations(store, found)));
+  store.watch(EXPLAINED, (found) => explained.replaceChildren(...(found ? explanations(store, found) : [hint])));
   store.watch(COMPARED, (found) => compared.replaceChildren(...(found ? comparison(found) : [])));
   return el("section", { class: "rule-details", "aria-label": "About the rule" }, [compared, explained]);
 }

@@ -9,7 +9,7 @@ import { CHOSEN, ITEMS } from "./rule_book.js";
 /** @import { Store } from "../state/store.js" */
 /** @import { Item } from "./rule_book.js" */
 
-const KINDS = /** @type {const} */ ([["", "Everything"], ["function", "What a line means"], ["behavior", "What is done for it"], ["bml", "Movements"], ["word", "Words"]]);
+const KINDS = /** @type {const} */ ([["", "Everything"], ["function", "What a line means"], ["behavior", "What is done for it"], ["bml", "Movements"], ["word", "Words"], ["file", "Characters, weights"]]);
 
 const FILTER = slice({ text: "", kind: "" });
 

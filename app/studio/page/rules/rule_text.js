@@ -5,7 +5,7 @@ import { plain } from "../naming/movements.js";
 import { latest } from "../service/latest.js";
 import { PERFORMED } from "../state/performed.js";
 import { goTo } from "../text_place.js";
-import { CHOSEN, DRAFTS, FILES, IN_USE, ITEMS, loadText, MISTAKES, posted, told } from "./rule_book.js";
+import { CHOSEN, DRAFTS, FILES, IN_USE, ITEMS, loadText, MISTAKES, OTHERS, posted, told } from "./rule_book.js";
 import { actions } from "./trying.js";
 
 /** @import { Performance, PlacedMistake, RuleMistakes } from "understudy-client" */
@@ -80,7 +80,7 @@ async function show(store, service, { title, typed }) {
     return;
   }
   const { file, line } = item;
-  const isEditable = store.get(FILES).files.includes(file);
+  const isEditable = [...store.get(FILES).files, ...store.get(OTHERS).files].includes(file);
   title.replaceChildren(`${file}:${String(line)}${isEditable ? "" : " (not edited here)"}`);
   if (!isEditable) {
     typed.value = "";

@@ -4,7 +4,8 @@ import { el } from "../dom.js";
 import { VIEW } from "../frame/views.js";
 import { ChangeProject } from "../state/change_project.js";
 import { PROJECT } from "../state/project.js";
-import { CHOSEN, COMPARED, DRAFTS, FILES, MISTAKES, posted, told } from "./rule_book.js";
+import { saveFile } from "../service/files.js";
+import { CHOSEN, COMPARED, DRAFTS, FILES, MISTAKES, pathOf, posted, ruleDrafts, told } from "./rule_book.js";
 
 /** @import { RuleComparison } from "understudy-client" */
 /** @import { Service } from "../service/service.js" */
@@ -30,13 +31,13 @@ export function actions(store, service) {
   const run = button("rules-run", "Perform the line", () => perform(store));
   const compare = button("rules-compare", "Compare examples", () => void compareAll(store, service));
   const back = button("rules-back", "Discard changes", () => takeBack(store));
-  const save = button("rules-save", "Save", () => void saveFile(store, service));
+  const save = button("rules-save", "Save", () => void keep(store, service));
   const show = () => {
     const drafts = store.get(DRAFTS);
     const isWrong = store.get(MISTAKES).length > 0;
     const file = store.get(CHOSEN)?.file ?? "";
     run.disabled = isWrong;
-    compare.disabled = isWrong || Object.keys(drafts).length === 0;
+    compare.disabled = isWrong || Object.keys(ruleDrafts(store)).length === 0;
     back.disabled = !(file in drafts);
     save.hidden = !store.get(FILES).writable;
     save.disabled = isWrong || !(file in drafts);
@@ -53,7 +54,7 @@ export function actions(store, service) {
  * @param {Store} store
  */
 function perform(store) {
-  const drafts = store.get(DRAFTS);
+  const drafts = ruleDrafts(store);
   const rules = Object.keys(drafts).length > 0 ? drafts : null;
   store.history.execute(new ChangeProject(store, "Rules", { rules }));
   store.set(VIEW, "line");
@@ -67,7 +68,7 @@ async function compareAll(store, service) {
   const { text } = store.get(PROJECT);
   const lines = text.trim() ? { [THIS_LINE]: text } : {};
   await told(store, async () => {
-    const found = await posted(service, "rules/compare", { files: store.get(DRAFTS), lines });
+    const found = await posted(service, "rules/compare", { files: ruleDrafts(store), lines });
     store.set(COMPARED, /** @type {RuleComparison} */ (found));
   });
 }
@@ -85,12 +86,12 @@ function takeBack(store) {
  * @param {Store} store
  * @param {Service} service
  */
-async function saveFile(store, service) {
+async function keep(store, service) {
   const name = store.get(CHOSEN)?.file ?? "";
   const text = store.get(DRAFTS)[name];
   if (text !== undefined) {
     await told(store, async () => {
-      await service.fetch(`rules/files/${name}`, { method: "PUT", headers: { "content-type": "text/plain" }, body: text });
+      await saveFile(service, pathOf(store, name), text);
       store.patch(FILES, { saved: [...new Set([...store.get(FILES).saved, name])] });
     });
   }

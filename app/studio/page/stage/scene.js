@@ -1,4 +1,7 @@
-/** A place to stand: a neutral studio with soft light, a camera that the pointer orbits, and the drawing of it all. */
+/**
+ * A place to stand: a neutral studio with soft light, a camera that the pointer orbits, and the drawing of it all. Where the
+ * browser has no WebGL, nothing is drawn but a note that says so, and all else goes on.
+ */
 
 import {
   Color,
@@ -16,12 +19,15 @@ import {
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
+import { el } from "../dom.js";
 import { FIELD_DEG } from "./framing.js";
 import { followOrbitKeys } from "./orbit_keys.js";
 
 const LARGEST_PIXEL_RATIO = 2;
 const FLOOR_M = 24;
 const [FOG_FROM_M, FOG_TO_M] = [4, 13];
+
+const NO_PICTURE = "This browser draws no bodies: WebGL is missing or switched off. The line is performed, played, changed and exported all the same.";
 
 /** The colours of the room where nobody says others. */
 const NEUTRAL = Object.freeze({ stage: "#d7dce0", grid: "#b3bac0" });
@@ -34,7 +40,6 @@ const NEUTRAL = Object.freeze({ stage: "#d7dce0", grid: "#b3bac0" });
  * @property {Scene} scene
  * @property {PerspectiveCamera} camera
  * @property {OrbitControls} controls
- * @property {WebGLRenderer} renderer
  * @property {() => void} draw
  * @property {() => boolean} fit whether the size was another one
  * @property {(size: Size | null) => void} fix
@@ -48,9 +53,7 @@ const NEUTRAL = Object.freeze({ stage: "#d7dce0", grid: "#b3bac0" });
  * @returns {Place}
  */
 export function makePlace(canvas) {
-  const renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
-  renderer.shadowMap.enabled = true;
-  renderer.shadowMap.type = PCFShadowMap;
+  const renderer = rendererOn(canvas);
   const scene = new Scene();
   const grid = new GridHelper(FLOOR_M, 2 * FLOOR_M);
   scene.add(new HemisphereLight(0xffffff, 0xb9b2aa, 1.5), key(), rim(), ground(), grid);
@@ -67,11 +70,28 @@ export function makePlace(canvas) {
   paint(NEUTRAL);
   const fit = () => fitted(renderer, camera, canvas, fixed.size);
   const fix = (/** @type {Size | null} */ size) => void (fixed.size = size);
-  return { scene, camera, controls, renderer, fit, fix, paint, draw: () => renderer.render(scene, camera) };
+  return { scene, camera, controls, fit, fix, paint, draw: () => renderer?.render(scene, camera) };
 }
 
 /**
- * @param {WebGLRenderer} renderer
+ * Null where the browser has no WebGL.
+ *
+ * @param {HTMLCanvasElement} canvas
+ */
+function rendererOn(canvas) {
+  try {
+    const renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    renderer.shadowMap.enabled = true;
+    renderer.shadowMap.type = PCFShadowMap;
+    return renderer;
+  } catch {
+    queueMicrotask(() => canvas.after(el("p", { class: "no-picture", role: "status" }, [NO_PICTURE])));
+    return null;
+  }
+}
+
+/**
+ * @param {WebGLRenderer | null} renderer
  * @param {PerspectiveCamera} camera
  * @param {HTMLCanvasElement} canvas
  * @param {Size | null} fixed
@@ -80,7 +100,7 @@ function fitted(renderer, camera, canvas, fixed) {
   const ratio = fixed ? 1 : Math.min(devicePixelRatio, LARGEST_PIXEL_RATIO);
   const { width_px, height_px } = fixed ?? { width_px: canvas.clientWidth, height_px: canvas.clientHeight };
   const isSame = canvas.width === Math.floor(width_px * ratio) && canvas.height === Math.floor(height_px * ratio);
-  if (isSame || width_px === 0 || height_px === 0) {
+  if (!renderer || isSame || width_px === 0 || height_px === 0) {
     return false;
   }
   renderer.setPixelRatio(ratio);

@@ -37,8 +37,8 @@ function playButton(store) {
 function stepButtons(store) {
   const step = (/** @type {number} */ frames) => () => stepBy(store, frames * FRAME_S);
   return [
-    el("button", { type: "button", class: "square", "aria-label": "One frame back", title: "One frame back (←)", click: step(-1) }, [icon("step_back")]),
-    el("button", { type: "button", class: "square", "aria-label": "One frame on", title: "One frame on (→)", click: step(1) }, [icon("step_on")]),
+    el("button", { type: "button", class: "square step", "aria-label": "One frame back", title: "One frame back (←)", click: step(-1) }, [icon("step_back")]),
+    el("button", { type: "button", class: "square step", "aria-label": "One frame on", title: "One frame on (→)", click: step(1) }, [icon("step_on")]),
   ];
 }
 

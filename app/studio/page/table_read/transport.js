@@ -1,6 +1,7 @@
 /** The controls of a table read: play, the lines, the time, the camera, the notes as a file. */
 
 import { choice, el, labelled } from "../dom.js";
+import { icon } from "../icons.js";
 import { notesText } from "./notes.js";
 import { CAMERAS } from "./reading.js";
 
@@ -13,13 +14,13 @@ import { CAMERAS } from "./reading.js";
  * @param {() => void} openOther
  */
 export function transport(room, openOther) {
-  const play = el("button", { type: "button", id: "scene-play", class: "primary", click: () => room.reading?.clock.toggle() }, ["Play"]);
+  const play = el("button", { type: "button", id: "scene-play", class: "primary", click: () => room.reading?.clock.toggle() }, []);
   const step = (/** @type {number} */ by) => () => {
     const { reading } = room;
     reading?.clock.seek(reading.spans[Math.max(0, reading.clock.line + by)]?.start_s ?? reading.clock.time_s);
   };
-  const back = el("button", { type: "button", "aria-label": "One line back", click: step(-1) }, ["◂◂"]);
-  const on = el("button", { type: "button", "aria-label": "One line on", click: step(1) }, ["▸▸"]);
+  const back = el("button", { type: "button", class: "square", "aria-label": "One line back", title: "One line back", click: step(-1) }, [icon("step_back")]);
+  const on = el("button", { type: "button", class: "square", "aria-label": "One line on", title: "One line on", click: step(1) }, [icon("step_on")]);
   const slider = el("input", { type: "range", min: 0, max: 1, step: 0.01, value: 0, "aria-label": "Time of the scene" });
   slider.addEventListener("input", () => room.reading?.clock.seek(slider.valueAsNumber));
   const time = el("output", { "aria-label": "Time in seconds", id: "scene-time" });
@@ -28,12 +29,17 @@ export function transport(room, openOther) {
       room.reading.camera = /** @type {Camera} */ (value);
     }
   });
+  let shown = /** @type {boolean | null} */ (null);
   const tell = () => {
     const { playing = false, time_s = 0, end_s = 0 } = room.reading?.clock ?? {};
-    play.textContent = playing ? "Pause" : "Play";
+    if (playing !== shown) {
+      shown = playing;
+      play.replaceChildren(icon(playing ? "pause" : "play"), playing ? "Pause" : "Play");
+    }
     [slider.max, slider.value] = [String(end_s), String(time_s)];
     time.value = `${time_s.toFixed(1)} s`;
   };
+  tell();
   const other = el("button", { type: "button", id: "scene-other", click: openOther }, ["Open…"]);
   const controls = el("div", { class: "transport" }, [play, back, on, slider, time, labelled("Camera", camera), notesButton(room), other]);
   return { controls, tell };

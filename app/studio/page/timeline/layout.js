@@ -21,7 +21,7 @@ const GAP_PX = 3;
 const NEAR_PX = 4;
 const HEIGHTS_PX = Object.freeze({ wave: 62, voice: 40 });
 /** @type {Readonly<Record<string, number>>} */
-const LANES_PX = Object.freeze({ gesture: 28, phones: 24 });
+const LANES_PX = Object.freeze({ gesture: 28, compared: 28, phones: 24 });
 const LANE_PX = 19;
 
 /**

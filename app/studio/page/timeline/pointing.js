@@ -22,9 +22,11 @@ import { snapped, targetsOf } from "./snapping.js";
  */
 
 /**
- * What is pressed, from where, whether it was moved `far`, and whether what was selected stays so (`isMore`).
+ * What is pressed, from where, whether it was moved `far`, whether what was selected stays so (`isMore`), and how it was
+ * `before`.
  *
- * @typedef {{ hit: Hit, x: number, from_s: number, far: boolean, isMore: boolean }} Held
+ * @typedef {Readonly<{ selected: string | null, marked: readonly string[], time_s: number }>} Before
+ * @typedef {{ hit: Hit, x: number, from_s: number, far: boolean, isMore: boolean, before: Before }} Held
  */
 
 export const DRAG = slice(/** @type {Drag | null} */ (null));
@@ -54,7 +56,8 @@ export function followPointer(canvas, store, { axis, hit }) {
   canvas.addEventListener("pointerdown", (event) => {
     canvas.setPointerCapture(event.pointerId);
     const isMore = event.shiftKey || event.ctrlKey || event.metaKey;
-    held = { hit: hit(event.offsetX, event.offsetY), x: event.offsetX, from_s: time_s(event), far: false, isMore };
+    const before = { selected: store.get(SELECTION), marked: store.get(MARKED), time_s: store.get(TIME_S) };
+    held = { hit: hit(event.offsetX, event.offsetY), x: event.offsetX, from_s: time_s(event), far: false, isMore, before };
     press(store, held);
   });
   canvas.addEventListener("pointermove", (event) => {
@@ -75,9 +78,10 @@ export function followPointer(canvas, store, { axis, hit }) {
     }
   });
   canvas.addEventListener("pointercancel", () => {
-    held = null;
-    store.set(DRAG, null);
-    store.set(SNAP_S, null);
+    if (held) {
+      cancel(store, held);
+      held = null;
+    }
   });
 }
 
@@ -112,6 +116,20 @@ function release(store, { hit: { row, item, mark: name }, from_s, far, isMore },
   } else if (far && item.marks.length > 0 && row !== "words" && !store.get(PLAYBACK).playing) {
     store.set(TIME_S, Math.max(0, (leading_s(item, name) ?? from_s) + to_s - from_s));
   }
+}
+
+/**
+ * The finger scrolls: nothing was meant to be pressed.
+ *
+ * @param {Store} store
+ * @param {Held} held
+ */
+function cancel(store, { before }) {
+  store.set(DRAG, null);
+  store.set(SNAP_S, null);
+  store.set(SELECTION, before.selected);
+  store.set(MARKED, before.marked);
+  store.set(TIME_S, before.time_s);
 }
 
 /**

@@ -75,6 +75,7 @@ export class Timeline {
     }
     const height_px = heightOf(this.#rows);
     size(this.#canvas, width_px, height_px);
+    this.#playhead.style.height = `${String(height_px)}px`;
     this.#canvas.dataset["stretch"] = Object.values(this.#stretch).map((seconds) => seconds.toFixed(3)).join(" ");
     this.#axis = new Axis(this.#stretch, LABELS_PX, width_px - LABELS_PX - RIGHT_PX);
     pen.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);

@@ -1,0 +1,43 @@
+"""What authors write on the page is saved into their folder (`--lexicon DIR`), in place."""
+
+from pathlib import Path
+
+from playwright.sync_api import Browser, expect
+
+from tests.studio.conftest import opened_page
+from tests.studio.serving import served
+from tests.studio.waiting import wait_until
+
+
+def test_gestures_words_and_weights_are_saved_into_the_authors_folder(browser: Browser, tmp_path: Path) -> None:
+    folder = tmp_path / "own"
+    folder.mkdir()
+    command = ("studio", "--no-browser", "--port", "0", "--lexicon", str(folder))
+    with served(tmp_path / "log", command) as address, opened_page(browser, address) as page:
+        page.goto("/")
+        page.click("#views >> text=Gesture editor")
+        page.wait_for_selector("#gesture-canvas[data-pose*='.']")
+        page.fill("#gesture-name", "my_own")
+        page.press("#gesture-name", "Tab")
+        page.click("#gesture-save")
+        expect(page.locator("#gesture-saved")).to_contain_text("gestures/my_own.gesture")
+        [saved] = folder.rglob("my_own.gesture")
+        assert "GESTUREINSTANCE my_own" in saved.read_text(encoding="utf-8")
+        page.click("#views >> text=Rules")
+        for name, of, before, after in (
+            ("yes", "word", "      - yes\n", ""),
+            ("weights", "file", "\n", "\n# Mine.\n"),
+        ):
+            page.select_option("#rule-kind", of)
+            page.fill("#rule-filter", name)
+            page.click(f"#rule-list [data-name='{name}']")
+            wait_until(page, "document.querySelector('#rule-text').value.length > 0")
+            with page.expect_response("**/rules/check"):
+                page.fill("#rule-text", page.input_value("#rule-text").replace(before, after, 1))
+            with page.expect_response("**/files/**") as answered:
+                page.click("#rules-save")
+            assert answered.value.ok, answered.value.text()
+        [words] = folder.rglob("affirmation.yaml")
+        assert "      - yes\n" not in words.read_text(encoding="utf-8")
+        [weights] = folder.rglob("weights.yaml")
+        assert "# Mine." in weights.read_text(encoding="utf-8")
