@@ -5,7 +5,7 @@ import { movedWith } from "../../../app/studio/page/changes/moving.js";
 import { PERFORMED, SELECTION } from "../../../app/studio/page/state/performed.js";
 import { Store } from "../../../app/studio/page/state/store.js";
 import { LOOKS } from "../../../app/studio/page/timeline/looks.js";
-import { MARKED } from "../../../app/studio/page/timeline/pointing.js";
+import { MARKED } from "../../../app/studio/page/timeline/selecting.js";
 import { behavior, performance } from "../support/performances.js";
 
 /** @import { PerformedLine } from "../../../app/studio/page/state/performed.js" */

@@ -1,7 +1,7 @@
 /** What an author does to a behaviour of the performance that is looked at: each a change that can be undone. */
 
 import { PERFORMED, SELECTION } from "../state/performed.js";
-import { MARKED } from "../timeline/pointing.js";
+import { MARKED } from "../timeline/selecting.js";
 import { changeEdits, editsOf } from "./change_edits.js";
 import { editOf, withAdded, withBehavior, withoutBehavior } from "./edits.js";
 import { marksOf, wordReference } from "./references.js";

@@ -13,17 +13,15 @@ import { Bodies } from "./bodies.js";
 import { viewOf } from "./cameras.js";
 import { Cast } from "./cast.js";
 import { Clock } from "./clock.js";
+import { MotionDrawings } from "./motion_drawings.js";
 import { NameTags, namedOf } from "./name_tags.js";
-import { OnionSkin } from "./onion_skin.js";
 import { recordingOf } from "./recording.js";
 import { makePlace } from "./scene.js";
 import { followTheme } from "./theme.js";
-import { Trail } from "./trail.js";
 import { mountTransport } from "./transport.js";
 import { CHARACTERS, COMPARED_NAME, GUESTS, rolesOf, SCREEN, VIEWING } from "./viewing.js";
 
 /** @import { Service } from "../service/service.js" */
-/** @import { PerformedLine } from "../state/performed.js" */
 /** @import { Store } from "../state/store.js" */
 
 const EYES_M = 1.55;
@@ -66,9 +64,7 @@ class Stage {
   #store;
   #place;
   #cast;
-  #bodies;
-  #trail = new Trail();
-  #onion = new OnionSkin();
+  #drawings;
   tags = new NameTags();
   #isStale = true;
   #isOrbited = false;
@@ -84,9 +80,9 @@ class Stage {
     this.#canvas = canvas;
     this.#store = store;
     this.#place = makePlace(canvas);
-    this.#bodies = new Bodies(service);
-    this.#cast = new Cast(this.#place.scene, this.#bodies);
-    this.#place.scene.add(this.#trail.group, this.#onion.group);
+    const bodies = new Bodies(service);
+    this.#cast = new Cast(this.#place.scene, bodies);
+    this.#drawings = new MotionDrawings(this.#place.scene, bodies);
     const stale = () => (this.#isStale = true);
     this.#place.controls.addEventListener("change", stale);
     this.#place.controls.addEventListener("start", () => (this.#isOrbited = true));
@@ -125,9 +121,7 @@ class Stage {
     const time_s = this.#store.get(TIME_S);
     const lead_in_s = line?.performance.lead_in_s ?? 0;
     this.#cast.show(time_s, lead_in_s);
-    const clip_s = time_s - lead_in_s - (line?.motion.audioOffsetS ?? 0);
-    this.#trail.show(clip_s);
-    this.#onion.show(clip_s);
+    this.#drawings.show(time_s - lead_in_s - (line?.motion.audioOffsetS ?? 0));
   }
 
   /** The part of the body that makes what is selected glows, and several bodies have names. */
@@ -142,37 +136,19 @@ class Stage {
 
   async #recast() {
     const line = this.#store.get(PERFORMED);
-    const { listening } = this.#store.get(VIEWING);
+    const viewing = this.#store.get(VIEWING);
+    const { listening } = viewing;
     const avatar = this.#store.get(AVATAR);
     const roles = line ? rolesOf(line, listening, avatar, this.#store.get(CHARACTERS)) : [];
     try {
       await this.#cast.take([...roles, ...this.#store.get(GUESTS)]);
-      await this.#drawMotion(listening !== "instead" && !avatar ? line : null);
+      await this.#drawings.take(listening !== "instead" && !avatar ? line : null, viewing);
     } catch (error) {
       this.#store.set(PROBLEM, problemOf(error));
     }
     this.#casts += 1;
     this.#isStale = true;
     this.#aimAnew();
-  }
-
-  /**
-   * The path of the wrists and the onion skin, where they are asked for.
-   *
-   * @param {PerformedLine | null} line null where its own body is not on the stage
-   */
-  async #drawMotion(line) {
-    const { trail, onion } = this.#store.get(VIEWING);
-    this.#trail.clear();
-    if (line && trail) {
-      this.#trail.take(line.motion, line.performance.behaviors);
-    }
-    if (line && onion) {
-      const { performance, motion } = line;
-      await this.#onion.take(this.#bodies, performance.character, { clip: motion, behaviors: performance.behaviors });
-    } else {
-      this.#onion.clear();
-    }
   }
 
   /** Aims where another shot is wanted or others stand there: else the camera stays where the author has it. */

@@ -14,7 +14,7 @@ import { CAMERAS } from "./reading.js";
  * @param {() => void} openOther
  */
 export function transport(room, openOther) {
-  const play = el("button", { type: "button", id: "scene-play", class: "primary", click: () => room.reading?.clock.toggle() }, []);
+  const { play, showPlaying } = playButton(room);
   const step = (/** @type {number} */ by) => () => {
     const { reading } = room;
     reading?.clock.seek(reading.spans[Math.max(0, reading.clock.line + by)]?.start_s ?? reading.clock.time_s);
@@ -29,13 +29,9 @@ export function transport(room, openOther) {
       room.reading.camera = /** @type {Camera} */ (value);
     }
   });
-  let shown = /** @type {boolean | null} */ (null);
   const tell = () => {
-    const { playing = false, time_s = 0, end_s = 0 } = room.reading?.clock ?? {};
-    if (playing !== shown) {
-      shown = playing;
-      play.replaceChildren(icon(playing ? "pause" : "play"), playing ? "Pause" : "Play");
-    }
+    const { time_s = 0, end_s = 0 } = room.reading?.clock ?? {};
+    showPlaying(room.reading?.clock.playing ?? false);
     [slider.max, slider.value] = [String(end_s), String(time_s)];
     time.value = `${time_s.toFixed(1)} s`;
   };
@@ -43,6 +39,19 @@ export function transport(room, openOther) {
   const other = el("button", { type: "button", id: "scene-other", click: openOther }, ["Open…"]);
   const controls = el("div", { class: "transport" }, [play, back, on, slider, time, labelled("Camera", camera), notesButton(room), other]);
   return { controls, tell };
+}
+
+/** @param {Room} room */
+function playButton(room) {
+  const play = el("button", { type: "button", id: "scene-play", class: "primary", click: () => room.reading?.clock.toggle() });
+  let shown = /** @type {boolean | null} */ (null);
+  const showPlaying = (/** @type {boolean} */ playing) => {
+    if (playing !== shown) {
+      shown = playing;
+      play.replaceChildren(icon(playing ? "pause" : "play"), playing ? "Pause" : "Play");
+    }
+  };
+  return { play, showPlaying };
 }
 
 /** @param {Room} room */

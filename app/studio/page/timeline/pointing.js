@@ -5,14 +5,15 @@
  * held.
  */
 
-import { PERFORMED, PLAYBACK, SELECTION, TIME_S } from "../state/performed.js";
-import { selectAndSeek } from "../state/selecting.js";
+import { PERFORMED, PLAYBACK, TIME_S } from "../state/performed.js";
 import { slice } from "../state/slice.js";
+import { press, selectAgain, selectAlone, selectedNow } from "./selecting.js";
 import { snapped, targetsOf } from "./snapping.js";
 
 /** @import { Store } from "../state/store.js" */
 /** @import { Axis } from "./axis.js" */
 /** @import { Hit } from "./layout.js" */
+/** @import { Selected } from "./selecting.js" */
 /** @import { Item } from "./tracks.js" */
 
 /**
@@ -25,14 +26,10 @@ import { snapped, targetsOf } from "./snapping.js";
  * What is pressed, from where, whether it was moved `far`, whether what was selected stays so (`isMore`), and how it was
  * `before`.
  *
- * @typedef {Readonly<{ selected: string | null, marked: readonly string[], time_s: number }>} Before
- * @typedef {{ hit: Hit, x: number, from_s: number, far: boolean, isMore: boolean, before: Before }} Held
+ * @typedef {{ hit: Hit, x: number, from_s: number, far: boolean, isMore: boolean, before: Selected }} Held
  */
 
 export const DRAG = slice(/** @type {Drag | null} */ (null));
-
-/** What is selected beside SELECTION, by ids. */
-export const MARKED = slice(/** @type {readonly string[]} */ ([]));
 
 /** Where what is dragged has snapped to, seconds; null where it has not. */
 export const SNAP_S = slice(/** @type {number | null} */ (null));
@@ -53,69 +50,69 @@ export function followPointer(canvas, store, { axis, hit }) {
   /** @type {Held | null} */
   let held = null;
   const time_s = (/** @type {PointerEvent} */ event) => axis()?.time_s(event.offsetX) ?? 0;
+  const to_s = (/** @type {PointerEvent} */ event, /** @type {Held} */ now) =>
+    snappedTime_s(store, now, time_s(event), event.altKey ? null : axis());
   canvas.addEventListener("pointerdown", (event) => {
     canvas.setPointerCapture(event.pointerId);
-    const isMore = event.shiftKey || event.ctrlKey || event.metaKey;
-    const before = { selected: store.get(SELECTION), marked: store.get(MARKED), time_s: store.get(TIME_S) };
-    held = { hit: hit(event.offsetX, event.offsetY), x: event.offsetX, from_s: time_s(event), far: false, isMore, before };
-    press(store, held);
+    held = begun(store, event, { hit: hit(event.offsetX, event.offsetY), from_s: time_s(event) });
   });
   canvas.addEventListener("pointermove", (event) => {
     if (held) {
       held.far ||= Math.abs(event.offsetX - held.x) > LEAST_PX;
-      drag(store, held, snappedTime_s(store, held, time_s(event), event.altKey ? null : axis()), false);
+      drag(store, held, to_s(event, held), false);
     } else {
-      canvas.style.cursor = cursorOver(hit(event.offsetX, event.offsetY));
-      canvas.title = titleOf(hit(event.offsetX, event.offsetY));
+      hover(canvas, hit(event.offsetX, event.offsetY));
     }
   });
   canvas.addEventListener("pointerup", (event) => {
-    if (held) {
-      const to_s = snappedTime_s(store, held, time_s(event), event.altKey ? null : axis());
-      drag(store, held, to_s, true);
-      release(store, held, to_s);
-      held = null;
-    }
+    held = held && ended(store, held, to_s(event, held));
   });
   canvas.addEventListener("pointercancel", () => {
-    if (held) {
-      cancel(store, held);
-      held = null;
-    }
+    held = held && cancelled(store, held);
   });
 }
 
 /**
  * @param {Store} store
- * @param {Held} held
+ * @param {PointerEvent} event
+ * @param {{ hit: Hit, from_s: number }} pressed
+ * @returns {Held}
  */
-function press(store, { hit: { row, item }, from_s, isMore }) {
-  const isAmong = item !== null && [store.get(SELECTION), ...store.get(MARKED)].includes(item.id);
-  const isBeside = isMore && item !== null && mark(store, item.id);
-  if (row === "ruler") {
+function begun(store, { offsetX, shiftKey, ctrlKey, metaKey }, { hit, from_s }) {
+  const isMore = shiftKey || ctrlKey || metaKey;
+  const held = { hit, from_s, x: offsetX, far: false, isMore, before: selectedNow(store) };
+  if (hit.row === "ruler") {
     store.set(TIME_S, Math.max(0, from_s));
-  } else if (!isBeside && !isAmong) {
-    select(store, item);
+  } else {
+    press(store, hit, isMore);
   }
+  return held;
 }
 
 /**
- * Of several that are selected the one that was pressed is, unless all were dragged; the playhead goes with what was.
+ * What is let go is where it was dragged to, and the playhead with it; of several that are selected the one that was only
+ * pressed is.
  *
  * @param {Store} store
  * @param {Held} held
  * @param {number} to_s
  */
-function release(store, { hit: { row, item, mark: name }, from_s, far, isMore }, to_s) {
+function ended(store, held, to_s) {
+  const { hit, from_s, far, isMore } = held;
+  const at_s = hit.item ? leading_s(hit.item, hit.mark) : undefined;
+  drag(store, held, to_s, true);
   store.set(SNAP_S, null);
-  if (row === "ruler" || !item) {
-    return;
+  if (!far && !isMore && hit.item) {
+    selectAlone(store, hit.item);
+  } else if (isDragged(held) && at_s !== undefined && !store.get(PLAYBACK).playing) {
+    store.set(TIME_S, Math.max(0, at_s + to_s - from_s));
   }
-  if (!far && !isMore) {
-    select(store, item);
-  } else if (far && item.marks.length > 0 && row !== "words" && !store.get(PLAYBACK).playing) {
-    store.set(TIME_S, Math.max(0, (leading_s(item, name) ?? from_s) + to_s - from_s));
-  }
+  return null;
+}
+
+/** @param {Held} held */
+function isDragged({ hit, far }) {
+  return far && hit.row !== "ruler" && hit.row !== "words";
 }
 
 /**
@@ -124,36 +121,11 @@ function release(store, { hit: { row, item, mark: name }, from_s, far, isMore },
  * @param {Store} store
  * @param {Held} held
  */
-function cancel(store, { before }) {
+function cancelled(store, { before }) {
   store.set(DRAG, null);
   store.set(SNAP_S, null);
-  store.set(SELECTION, before.selected);
-  store.set(MARKED, before.marked);
-  store.set(TIME_S, before.time_s);
-}
-
-/**
- * @param {Store} store
- * @param {Item | null} item
- */
-function select(store, item) {
-  store.set(MARKED, []);
-  selectAndSeek(store, item?.id ?? null);
-}
-
-/**
- * Selects something beside what is selected, or no longer; whether there is something to be beside.
- *
- * @param {Store} store
- * @param {string} id
- */
-function mark(store, id) {
-  const [before, marked] = [store.get(SELECTION), store.get(MARKED)];
-  const isBeside = before !== null && before !== id;
-  if (isBeside) {
-    store.set(MARKED, marked.includes(id) ? marked.filter((each) => each !== id) : [...marked, id]);
-  }
-  return isBeside;
+  selectAgain(store, before);
+  return null;
 }
 
 /**
@@ -164,10 +136,10 @@ function mark(store, id) {
  * @param {number} to_s
  * @param {Axis | null} axis null where nothing is to snap
  */
-function snappedTime_s(store, { hit: { item, mark: name, row }, from_s, far }, to_s, axis) {
+function snappedTime_s(store, held, to_s, axis) {
+  const { hit: { item, mark: name }, from_s } = held;
   const line = store.get(PERFORMED);
-  const isMoved = far && row !== "words";
-  if (!line || !axis || !item || !isMoved) {
+  if (!line || !axis || !item || !isDragged(held)) {
     return to_s;
   }
   const at_s = leading_s(item, name) ?? from_s;
@@ -201,6 +173,15 @@ function drag(store, { hit, from_s, far }, to_s, ended) {
   } else if (far && hit.item && hit.item.marks.length > 0) {
     store.set(DRAG, { id: hit.item.id, mark: hit.mark, from_s, to_s, ended });
   }
+}
+
+/**
+ * @param {HTMLCanvasElement} canvas
+ * @param {Hit} found
+ */
+function hover(canvas, found) {
+  canvas.style.cursor = cursorOver(found);
+  canvas.title = titleOf(found);
 }
 
 /** @param {Hit} hit */

@@ -7,7 +7,8 @@ import { Gutter } from "./gutter.js";
 import { heightOf, hitAt, LABELS_PX, placed } from "./layout.js";
 import { LOOKS } from "./looks.js";
 import { paletteOf } from "./palette.js";
-import { BADGES, followPointer, MARKED, SNAP_S } from "./pointing.js";
+import { BADGES, followPointer, SNAP_S } from "./pointing.js";
+import { MARKED } from "./selecting.js";
 import { PEAKS } from "./signals.js";
 import { DIFFERING, OTHERS } from "./compared.js";
 import { rowsOf } from "./tracks.js";
@@ -58,6 +59,7 @@ export class Timeline {
     const rows = line ? rowsOf(line.performance, { alternatives: looks.alternatives, others: this.#store.get(OTHERS) }) : [];
     this.#rows = placed(rows, looks);
     this.gutter.show(this.#rows);
+    this.#playhead.style.height = `${String(heightOf(this.#rows))}px`;
     const ends_s = rows.flatMap(({ items }) => items.map(({ end_s }) => end_s));
     const { lead_in_s, audio } = line?.performance ?? { lead_in_s: 0, audio: { duration_s: 1 } };
     this.#whole_s = Math.max(lead_in_s + audio.duration_s, ...ends_s);
@@ -75,7 +77,6 @@ export class Timeline {
     }
     const height_px = heightOf(this.#rows);
     size(this.#canvas, width_px, height_px);
-    this.#playhead.style.height = `${String(height_px)}px`;
     this.#canvas.dataset["stretch"] = Object.values(this.#stretch).map((seconds) => seconds.toFixed(3)).join(" ");
     this.#axis = new Axis(this.#stretch, LABELS_PX, width_px - LABELS_PX - RIGHT_PX);
     pen.setTransform(devicePixelRatio, 0, 0, devicePixelRatio, 0, 0);
