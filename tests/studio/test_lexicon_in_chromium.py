@@ -1,5 +1,6 @@
 """What authors write on the page is saved into their folder (`--lexicon DIR`), in place."""
 
+import json
 from pathlib import Path
 
 from playwright.sync_api import Browser, expect
@@ -26,15 +27,15 @@ def test_gestures_words_and_weights_are_saved_into_the_authors_folder(browser: B
         page.click("#views >> text=Rules")
         for name, of, before, after in (
             ("yes", "word", "      - yes\n", ""),
-            ("weights", "file", "\n", "\n# Mine.\n"),
+            ("weights", "file", "terms:\n", "# Mine.\nterms:\n"),
         ):
             page.select_option("#rule-kind", of)
             page.fill("#rule-filter", name)
             page.click(f"#rule-list [data-name='{name}']")
-            wait_until(page, "document.querySelector('#rule-text').value.length > 0")
+            wait_until(page, f"document.querySelector('#rule-text').value.includes({json.dumps(before)})")
             with page.expect_response("**/rules/check"):
                 page.fill("#rule-text", page.input_value("#rule-text").replace(before, after, 1))
-            with page.expect_response("**/files/**") as answered:
+            with page.expect_response(lambda response: response.request.method == "PUT") as answered:
                 page.click("#rules-save")
             assert answered.value.ok, answered.value.text()
         [words] = folder.rglob("affirmation.yaml")

@@ -87,9 +87,10 @@ async function show(store, service, { title, typed }) {
     typed.disabled = true;
     return;
   }
+  typed.readOnly = true;
   await loadText(store, service, file);
   if (store.get(CHOSEN) === item) {
-    typed.disabled = false;
+    typed.disabled = typed.readOnly = false;
     typed.value = store.get(DRAFTS)[file] ?? store.get(IN_USE)[file] ?? "";
     goTo(typed, { line, column: 1 });
     typed.scrollTop = (line - 3) * (typed.scrollHeight / (typed.value.split("\n").length || 1));
