@@ -41,6 +41,10 @@ FORM = 1
 FEATURES = ("p", "a", "ap", "AP")
 LABELS = "labels"
 THESIS_ALPHA = 0.5
+FRAME_WEIGHT = 0.3
+"""What a frame's likelihood counts. The sources count each frame whole, as if it told nothing of the next one; windows
+overlap and voices change slowly, so that phrases came out a third as long as recorded ones and units were played three
+times too fast (docs/measurements/prosody.md)."""
 _ROTATION = 32767.0
 
 
@@ -105,9 +109,9 @@ class MotionModel:
     units: tuple[MotionUnit, ...]
 
     def log_likelihoods(self, voice: Voice, features: str) -> FloatArray:
-        """Those of each kind (frames × kinds) by a set of features."""
+        """Those of each kind (frames × kinds) by a set of features, as much as they count."""
         observed = self.labels(voice) if features == LABELS else self.fusion.features(voice, features)
-        return self.emissions[features].log_likelihoods(observed)
+        return FRAME_WEIGHT * self.emissions[features].log_likelihoods(observed)
 
     def labels(self, voice: Voice) -> IntArray:
         """The intonation phrase of each frame (RTS §2.2)."""

@@ -21,10 +21,7 @@ from ..realizer.geometry.rotations import nearest_sign, normalized, slerp
 from .bodies import BodyTrack, resampled
 from .model import MotionModel, Scenario
 from .pairs import Voice
-from .unit_selection import motion_of, select
-
-LEAD_OVER_S = 0.5
-"""In which motion goes over at the ends."""
+from .unit_selection import LEAD_OVER_S, motion_of, select
 
 _MOVED_BY = {Channel.HEAD: "head", Channel.POSTURE: "spine"}
 """The joint whose motion replaces a channel's behaviours; gestures are always replaced."""

@@ -83,13 +83,13 @@ def test_with_affect_the_unit_that_feels_alike_is_chosen() -> None:
 
 
 def test_motion_has_no_jump_and_ends_where_its_unit_does() -> None:
-    """Two still units, a radian apart: the joint turns by less than .4 a frame, and is all there at the end."""
+    """Two still units, a radian apart: the joint turns by less than .1 a frame, and is all there at the end."""
     nowhere = np.zeros((2, 2))
     units = [MotionUnit(0, turned(0.0, 4), nowhere, np.zeros(3)), MotionUnit(1, turned(1.0, 7), nowhere, np.zeros(3))]
     motion = motion_of((Segment(0, 0, 10), Segment(1, 10, 30)), units)
     assert motion.shape == (40, 1, 4)
     angles = to_rotation_vector(motion)[:, 0, 0]
-    assert np.abs(np.diff(angles)).max() < 0.4
+    assert np.abs(np.diff(angles)).max() < 0.1
     assert angles[-1] == pytest.approx(1.0, abs=0.001)
 
 
