@@ -1,14 +1,13 @@
 """Reads and saves the files that an author edits: those saved in the author's folder, else those in use. Files are
 written to a temporary name, then renamed, and only if they are still what the author read."""
 
-import os
-from contextlib import suppress
 from dataclasses import dataclass
 from hashlib import blake2b
 from pathlib import Path
 
 from ..authored_folders import origin
 from ..errors import ChangedError, ForbiddenError, InputError
+from ..whole_files import replace_file
 from .editable_files import EditableFiles
 
 
@@ -84,14 +83,10 @@ def _own(folder: Path, name: str, in_use: Path | None) -> Path:
 
 
 def _replace(kind: EditableFiles, target: Path, name: str, text: str) -> None:
-    temporary = target.with_name(f".{target.name}.{os.getpid()}")
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
-        temporary.write_text(text, encoding="utf-8")
-        temporary.replace(target)
+        replace_file(target, text.encode())
     except OSError as error:
-        with suppress(OSError):
-            temporary.unlink(missing_ok=True)
         message = f"{name}: cannot be saved: {error.strerror}"
         raise ForbiddenError("rules_read_only", message, field=kind.field) from None
 

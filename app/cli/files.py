@@ -4,11 +4,11 @@
 """
 
 import os
-import shutil
 import sys
 from pathlib import Path
 
 from ..errors import InputError, TooLargeError, UndecodableError
+from ..whole_files import replace_file
 
 STANDARD = "-"
 LARGEST_CHARACTER_BYTES = 4
@@ -54,8 +54,7 @@ def require_writable(name: str, *, field: str) -> None:
 
 
 def write(name: str, content: bytes) -> None:
-    """Writes a file through a temporary file beside it: readers see the old content or the new, never a part. A file
-    that is replaced keeps its mode.
+    """Writes a file whole (`replace_file`), or to standard output.
 
     Raises InputError `file_unwritable`.
     """
@@ -67,7 +66,7 @@ def write(name: str, content: bytes) -> None:
         if target.exists() and not target.is_file():
             target.write_bytes(content)  # a device such as /dev/null must stay what it is
         else:
-            _replace(target, content)
+            replace_file(target, content)
     except OSError as error:
         raise InputError("file_unwritable", f"{name}: cannot be written: {_reason(error)}") from None
 
@@ -76,17 +75,6 @@ def write_standard(content: bytes) -> None:
     """Writes to standard output and flushes it."""
     sys.stdout.buffer.write(content)
     sys.stdout.buffer.flush()
-
-
-def _replace(target: Path, content: bytes) -> None:
-    neighbour = target.with_name(f".{target.name}.{os.getpid()}")
-    try:
-        neighbour.write_bytes(content)
-        if target.exists():
-            shutil.copymode(target, neighbour)
-        os.replace(neighbour, target)
-    finally:
-        neighbour.unlink(missing_ok=True)
 
 
 def _reason(error: OSError | ValueError) -> str:

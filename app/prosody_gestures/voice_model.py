@@ -21,6 +21,7 @@ import numpy as np
 
 from ..errors import InputError, ServiceError
 from ..model import FloatArray
+from ..whole_files import replace_file
 from .context import WIDTH, in_context
 from .counting import CountSmoothing, count
 from .mixtures import MixtureOptions, fit_mixtures
@@ -82,13 +83,12 @@ class VoiceModel:
             raise ServiceError("model_unreadable", f"{path} is no model of gestures from the voice: {error}") from None
 
     def save(self, path: Path) -> None:
-        """Writes the file under a temporary name, then renames it."""
+        """Writes the file whole."""
         arrays = {f"{part.part}/{name}": array for part in self.parts for name, array in _arrays(part).items()}
         arrays["parts"] = np.array([part.part for part in self.parts])
-        unfinished = path.with_suffix(".unfinished")
-        with unfinished.open("wb") as file:
-            np.savez_compressed(file, **arrays)  # type: ignore[arg-type]
-        unfinished.rename(path)
+        content = io.BytesIO()
+        np.savez_compressed(content, **arrays)  # type: ignore[arg-type]
+        replace_file(path, content.getvalue())
 
     def decode(
         self, energy_db: FloatArray, f0_hz: FloatArray, search: Search = EVERYTHING

@@ -4,7 +4,6 @@ That folder is inside the output folder, so that renaming is atomic and a killed
 """
 
 import errno
-import os
 import shutil
 from collections.abc import Iterable
 from dataclasses import replace
@@ -12,6 +11,7 @@ from pathlib import Path
 from uuid import uuid4
 
 from ...errors import InputError
+from ...whole_files import replace_file
 from .jobs import OutputFile
 
 UNFINISHED = ".unfinished"
@@ -25,11 +25,7 @@ def write_whole(folder: Path, relative: str, content: bytes) -> None:
     unfinished.parent.mkdir(parents=True, exist_ok=True)
     target = folder / relative
     target.parent.mkdir(parents=True, exist_ok=True)
-    try:
-        unfinished.write_bytes(content)
-        os.replace(unfinished, target)
-    finally:
-        unfinished.unlink(missing_ok=True)
+    replace_file(target, content, unfinished=unfinished)
 
 
 def write_files(folder: Path, files: Iterable[OutputFile]) -> tuple[OutputFile, ...]:
