@@ -3,7 +3,7 @@
 import { choice, el, labelled } from "../dom.js";
 import { icon } from "../icons.js";
 import { movementName, plain } from "../naming/movements.js";
-import { MARKS } from "../timeline/phases.js";
+import { MARKS, PHASE_COLOURS } from "../timeline/phases.js";
 import { changeBehavior, editOfSelected, lockBehavior, revertBehavior } from "./behaviors.js";
 import { browseGestures } from "./gesture_browser.js";
 import { changeOmission } from "./keys.js";
@@ -83,7 +83,17 @@ function marks(store, behavior) {
     const time_s = behavior.sync[mark];
     return time_s === undefined ? [] : [labelled(plain(mark), markField(store, behavior, mark, time_s))];
   });
-  return el("fieldset", { class: "marks" }, [el("legend", {}, ["Timing, in seconds"]), ...rows]);
+  return el("fieldset", { class: "marks" }, [el("legend", {}, ["Timing, in seconds"]), ...(behavior.kind === "gesture" ? [legend()] : []), ...rows]);
+}
+
+/** Which colours on the timeline and the wrist paths are which part of a gesture. */
+function legend() {
+  const parts = Object.entries(PHASE_COLOURS).map(([name, colour]) => {
+    const sign = el("i", {});
+    sign.style.background = colour;
+    return el("span", {}, [sign, plain(name)]);
+  });
+  return el("p", { class: "legend" }, parts);
 }
 
 /**
