@@ -47,7 +47,10 @@ def test_a_click_on_the_canvas_selects_and_the_ruler_moves_the_playhead(looked_a
 
 
 def test_zooming_is_undone_by_the_whole_line(looked_at: Page) -> None:
-    """Times on the canvas are in whole milliseconds, so a quotient of two is off by one at most."""
+    """Around the playhead, which is at the beginning. Times on the canvas are in whole milliseconds, so a quotient of
+    two is off by one at most."""
+    looked_at.focus("#stage-canvas")
+    looked_at.keyboard.press("Home")
     whole = looked_at.get_attribute("#timeline-canvas", "data-stretch") or ""
     assert whole.endswith(" 0.000")
     assert float(whole.split()[0]) == pytest.approx(whole_s(looked_at), abs=0.005)
