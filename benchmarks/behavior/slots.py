@@ -1,11 +1,12 @@
 """How often the slots of words are right (docs/slots.md), on written cases, by kind.
 
-    python -m benchmarks.behavior.slots [--errors] [--only shown|blind|fresh|later]
+    python -m benchmarks.behavior.slots [--errors] [--only shown|blind|fresh|later|again|last]
 
 The cases stand in benchmarks/behavior/slots.yaml: on those `shown` the patterns were mended; 75 `blind` ones were
 written after the first patterns and 150 `fresh` ones before these were widened a first time. The `later` ones were
-written when they had been widened again by what the blind half missed; what those missed in turn was then added as
-general classes, so that none of the halves is blind now (docs/measurements/choice.md). A case asks for one slot of some
+written when they had been widened again by what the blind part missed; what those missed in turn was then added as
+general classes. It was done so twice more: 40 cases `again`, and 40 when what these missed was added, the `last`, whose
+score at first sight counts (docs/measurements/understanding.md); none is blind now. A case asks for one slot of some
 words of a line; it is right if the value is, or if there is none where none is wanted.
 """
 
@@ -27,7 +28,7 @@ from understudy.yaml_files import Entry, Source
 
 CASES = Path(__file__).with_suffix(".yaml")
 LISTENERS = ("anna", "tom")
-HALVES = ("shown", "blind", "fresh", "later")
+PARTS = ("shown", "blind", "fresh", "later", "again", "last")
 
 
 class Case(Entry):
@@ -59,6 +60,8 @@ class Cases(Entry):
     blind: tuple[Case, ...] = ()
     fresh: tuple[Case, ...] = ()
     later: tuple[Case, ...] = ()
+    again: tuple[Case, ...] = ()
+    last: tuple[Case, ...] = ()
 
 
 def said(language: LanguageModels, table: SlotTable, text: str) -> tuple[Finding, ...]:
@@ -80,17 +83,17 @@ def answer(language: LanguageModels, table: SlotTable, case: Case) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--errors", action="store_true", help="print what is wrong")
-    parser.add_argument("--only", choices=HALVES)
+    parser.add_argument("--only", choices=PARTS)
     arguments = parser.parse_args()
     language = LanguageModels.load(Settings())
     table = load_slots(load_families(load_characters()))
     cases = Source(CASES).validated(Cases)
-    for half in (arguments.only,) if arguments.only else HALVES:
-        print("\n".join(_report(half, getattr(cases, half), language, table, errors=arguments.errors)))
+    for part in (arguments.only,) if arguments.only else PARTS:
+        print("\n".join(_report(part, getattr(cases, part), language, table, errors=arguments.errors)))
 
 
 def _report(
-    half: str, cases: tuple[Case, ...], language: LanguageModels, table: SlotTable, *, errors: bool
+    part: str, cases: tuple[Case, ...], language: LanguageModels, table: SlotTable, *, errors: bool
 ) -> Iterator[str]:
     right: dict[str, list[bool]] = defaultdict(list)
     for case in cases:
@@ -100,7 +103,7 @@ def _report(
             yield f"  {case.ask}: {told}, not {case.right}, for {case.at!r} in {case.text!r}"
     right["all"] = [each for answers in right.values() for each in answers]
     for kind, results in right.items():
-        yield f"{half:6} {kind:10} {sum(results):3} of {len(results):3}  {sum(results) / max(1, len(results)):.3f}"
+        yield f"{part:6} {kind:10} {sum(results):3} of {len(results):3}  {sum(results) / max(1, len(results)):.3f}"
 
 
 if __name__ == "__main__":
