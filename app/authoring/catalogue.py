@@ -103,8 +103,16 @@ class Catalogue:
         return tuple(other for other in self.items if _feeds(item, other))
 
 
+EDITED = "understudy-edits-"
+"""How the names of temporary folders with edited files begin."""
+
+
 def shown_path(path: Path) -> str:
-    """The path as shown to authors."""
+    """The path as shown to authors; of edited files, without the temporary folder."""
+    parts = path.parts
+    edited = next((place for place, part in enumerate(parts) if part.startswith(EDITED)), None)
+    if edited is not None:
+        return str(Path(*parts[edited + 1 :]))
     root, path = RULES.parents[1], origin(path)
     return str(path.relative_to(root)) if path.is_relative_to(root) else str(path)
 

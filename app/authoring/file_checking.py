@@ -21,6 +21,7 @@ from ..realizer.gestures.library import SUFFIX, Library
 from ..rules.derivation import FunctionRules
 from ..rules.mapping import MappingRules
 from ..rules.program.program import PRINTED, load_program
+from .catalogue import EDITED
 from .proofreading import (
     NAMED_FILES,
     Check,
@@ -53,7 +54,7 @@ class CompiledRules:
 
 def temporary_folder() -> TemporaryDirectory[str]:
     """A folder in memory, where that is possible, for files that are only to be read once."""
-    return TemporaryDirectory(prefix="understudy-edits-", dir=_IN_MEMORY if _IN_MEMORY.is_dir() else None)
+    return TemporaryDirectory(prefix=EDITED, dir=_IN_MEMORY if _IN_MEMORY.is_dir() else None)
 
 
 def compile_rules(root: Path, behavior_names: frozenset[str]) -> CompiledRules:

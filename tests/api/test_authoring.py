@@ -106,6 +106,13 @@ def test_a_rule_is_explained(client: TestClient) -> None:
     assert {one["class"] for one in item["comes_from"]} == {"affirmation"}
 
 
+def test_an_edited_rule_is_explained_where_its_author_wrote_it(client: TestClient) -> None:
+    asked = {"name": "show_affirmation", "files": {AGREEMENT: "# Edited.\n" + text_of(AGREEMENT)}}
+    [item] = client.post("/rules/explain", json=asked).json()["items"]
+    [before] = client.post("/rules/explain", json={"name": "show_affirmation"}).json()["items"]
+    assert (item["file"], item["line"]) == (AGREEMENT, before["line"] + 1)
+
+
 def test_a_line_is_performed_by_edited_rules_and_the_next_by_those_in_use(client: TestClient) -> None:
     accept = {"Accept": "application/json"}
     before = client.post("/perform", files=LINE, headers=accept).json()["performance"]
