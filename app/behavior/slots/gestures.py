@@ -13,6 +13,13 @@ from .table import SlotTable
 PLACES = MappingProxyType({"PLACE_LEFT": Side.LEFT, "PLACE_RIGHT": Side.RIGHT})
 """Gestures that show one side of a contrast: the choice has decided which."""
 
+SIDED = MappingProxyType({
+    lexeme: (side, lexeme.replace(side.upper(), other.upper()))
+    for side, other in ((Side.LEFT, Side.RIGHT), (Side.RIGHT, Side.LEFT))
+    for lexeme in (side.upper(), f"POINT_{side.upper()}", f"PALM_{side.upper()}")
+})  # fmt: skip
+"""Gestures to one side: that side, and the gesture to the other."""
+
 
 def slots_said(
     table: SlotTable, utterance: Utterance, functions: Iterable[Function] = (), listeners: Sequence[str] = ()
@@ -55,9 +62,17 @@ def with_slots(
         shown = table.shown.get(gesture.lexeme, frozenset())
         slots = slots_of(table, [each for each in said if each.slot in shown], *words)
         slots = replace(slots, side=PLACES.get(gesture.lexeme, slots.side))
-        return replace(gesture, slots=slots) if slots else gesture
+        asked = moment is not None and moment.note is not None
+        lexeme = gesture.lexeme if asked else _to_the_side(gesture.lexeme, slots.side)
+        return replace(gesture, lexeme=lexeme, slots=slots) if slots else gesture
 
     return tuple(filled(each) if each.kept and each.kind is Channel.GESTURE else each for each in behaviors)
+
+
+def _to_the_side(lexeme: str, side: Side | None) -> str:
+    """The gesture to the side that the words name: what is on your left is on the right of who speaks."""
+    own, other = SIDED.get(lexeme, (None, lexeme))
+    return other if side in (Side.LEFT, Side.RIGHT) and side is not own else lexeme
 
 
 def _slots(table: SlotTable, best: Mapping[str, Finding]) -> Slots:

@@ -7,7 +7,7 @@ import pytest
 from tests.behavior.candidates.test_demands import spoken
 from tests.support.motion.gesture_clips import gesture
 from understudy.behavior.slots.gestures import slots_of, slots_said, with_slots
-from understudy.model import Channel, Slots
+from understudy.model import Channel, Moment, Slots
 from understudy.models import Understudy
 
 
@@ -99,3 +99,19 @@ def test_a_gesture_that_places_one_side_of_a_contrast_is_on_that_side(understudy
     (placed,) = with_slots((place,), analysis, (), understudy.behavior.slots)
     assert placed.slots is not None
     assert placed.slots.side == "right"
+
+
+@pytest.mark.parametrize(("lexeme", "shown"), [("LEFT", "RIGHT"), ("POINT_LEFT", "POINT_RIGHT"), ("RIGHT", "RIGHT")])
+def test_a_gesture_to_a_side_goes_to_the_side_of_who_speaks(understudy: Understudy, lexeme: str, shown: str) -> None:
+    analysis = spoken(understudy, "The wall on your left is old.")
+    sided = replace(gesture("g1", 0.0, 1.0, lexeme=lexeme), last=4)
+    (placed,) = with_slots((sided,), analysis, (), understudy.behavior.slots)
+    assert placed.lexeme == shown
+
+
+def test_a_gesture_that_a_note_asks_for_stays_what_it_is(understudy: Understudy) -> None:
+    analysis = spoken(understudy, "The wall on your left is old.")
+    note = Moment("m1", Channel.GESTURE, 2, 4, 4, ("left",), 1.0, note=0)
+    asked = replace(gesture("g1", 0.0, 1.0, lexeme="LEFT"), last=4, moment="m1")
+    (placed,) = with_slots((asked,), analysis, (note,), understudy.behavior.slots)
+    assert placed.lexeme == "LEFT"
