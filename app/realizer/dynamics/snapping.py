@@ -52,7 +52,7 @@ def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -
         return _lasting(placed, placed.request.asked.stroke_s)
     pace = float(rng.uniform(*strokes.variety))
     level = _LEVELS.index(clip.level)
-    wanted_m_s = min(strokes.fastest_m_s[level], pace * strokes.speed_m_s[level] * _tenseness(placed))
+    wanted_m_s = min(strokes.fastest_m_s[level], pace * strokes.speed_m_s[level] * _quickness(placed))
     way_m, fastest_m_s = _stroke_m(placed)
     if not wanted_m_s or clip.category in strokes.unhurried or way_m < _SHORTEST_M:
         return placed
@@ -76,9 +76,11 @@ def _is_close(placed: PlacedGesture) -> bool:
     return any(end_m[1] > _HEAD_M or end_m[2] < _BODY_M for end_m in ends_m)
 
 
-def _tenseness(placed: PlacedGesture) -> float:
-    """How the tension of the voice makes strokes faster."""
-    return float(np.sqrt(max(placed.request.manner.tension, _LEAST_TENSION)))
+def _quickness(placed: PlacedGesture) -> float:
+    """How much faster than usual the voice has a stroke: by its tension, and as much as it is made bigger and faster
+    already, so that what snaps is the usual stroke and the voice is still seen in it."""
+    manner = placed.request.manner
+    return float(np.sqrt(max(manner.tension, _LEAST_TENSION))) * manner.amplitude * manner.speed
 
 
 def _stroke_m(placed: PlacedGesture) -> tuple[float, float]:
@@ -116,15 +118,17 @@ def _raised(arm: ArmKey | None, up_m: float) -> ArmKey | None:
 
 def wound_up(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
     """The gesture whose short strokes begin farther from where they end, if it shows no place and is not at the head:
-    a hand draws back before it strikes."""
+    a hand draws back before it strikes, the farther the bigger the voice has the gesture."""
     clip = placed.clip
     ends_m = {side: stroke_end_m(placed, side) for side in placed.arms}
     free = not (placed.request.slots or clip.aimed) and max(end_m[1] for end_m in ends_m.values()) <= _HIGHEST_M
     way_m = max(distance_m(stroke_start_m(placed, side), end_m) for side, end_m in ends_m.items())
     level = _LEVELS.index(clip.level)
     stroke_s = clip.markers.stroke_end - clip.markers.stroke_start
-    longest_m = min(strokes.longest_m[level], _WOUND_UP_M_S * stroke_s)
-    factor = min(strokes.wind_up[level], longest_m / max(way_m, _SHORTEST_M))
+    manner = placed.request.manner
+    longest_m = manner.amplitude * min(strokes.longest_m[level], _WOUND_UP_M_S * stroke_s * manner.speed)
+    farther = 1 + _more(manner.amplitude) * (strokes.wind_up[level] - 1)
+    factor = min(farther, longest_m / max(way_m, _SHORTEST_M))
     if not free or factor <= 1 or way_m < _SHORTEST_M or amplitude(placed) < _LEAST_SIZE:
         return placed
     begins = clip.markers.ready, clip.markers.stroke_start
@@ -139,6 +143,11 @@ def wound_up(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
         for key in clip.keys
     )
     return replace(placed, clip=replace(clip, keys=keys))
+
+
+def _more(amplitude: float) -> float:
+    """How much more than usual a hand draws back in a gesture of that size: not at all at half the usual one."""
+    return max(2 * amplitude - 1, 0.0)
 
 
 def _drawn_back(arm: ArmKey | None, end_m: FloatArray | None, factor: float, size: float) -> ArmKey | None:

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 from tests.support.motion.gesture_clips import clip
-from understudy.model import Hand
+from understudy.model import Hand, Manner
 from understudy.realizer.arms.wrist_paths import distance_m, stroke_end_m, stroke_start_m
 from understudy.realizer.body.movement_style import Strokes
 from understudy.realizer.dynamics.snapping import lifted, quickened, snapped, wound_up
+from understudy.realizer.gestures.brief_strokes import mannered
 from understudy.realizer.gestures.gesture_plan import GestureRequest, PlacedGesture
 
 FAST = Strokes(speed_m_s=(0.6, 1.2, 1.2), fastest_m_s=(1.5, 1.5, 1.5), wind_up=(1.5,) * 3, longest_m=(0.4,) * 3)
@@ -61,6 +62,31 @@ def test_a_short_stroke_begins_farther_from_where_it_ends() -> None:
     ]
     assert ways_m == pytest.approx([0.1, 0.15])
     assert np.allclose(stroke_end_m(short, Hand.RIGHT), stroke_end_m(drawn_back, Hand.RIGHT))
+
+
+def as_the_voice_has_it(manner: Manner, to_m: float = 0.1) -> PlacedGesture:
+    """The gesture in a manner, as it is placed for a request: its size in the request, its speed in the clip."""
+    plain = placed(to_m)
+    request = replace(plain.request, manner=manner, size=plain.request.size * manner.amplitude)
+    return replace(plain, request=request, clip=mannered(plain.clip, manner))
+
+
+def test_what_the_voice_makes_bigger_is_drawn_back_farther_and_what_it_makes_small_is_not() -> None:
+    def way_m(amplitude: float) -> float:
+        drawn_back = wound_up(as_the_voice_has_it(Manner(amplitude, 1.0, 1.0)), FAST)
+        return distance_m(stroke_start_m(drawn_back, Hand.RIGHT), stroke_end_m(drawn_back, Hand.RIGHT))
+
+    assert way_m(1.2) > 1.2 * way_m(1.0)
+    assert way_m(0.5) == pytest.approx(0.05)
+
+
+def test_the_speed_of_the_voice_is_still_seen_in_a_stroke_that_snaps() -> None:
+    """The usual stroke is quickened, by the same share as it would be in any manner."""
+    lengths = [
+        stroke_s(snapped(as_the_voice_has_it(Manner(1.0, speed, 1.0), 0.3), FAST, np.random.default_rng(0)))
+        for speed in (0.8, 1.0, 1.1)
+    ]
+    assert lengths == pytest.approx([lengths[1] / 0.8, lengths[1], lengths[1] / 1.1])
 
 
 def test_gestures_are_higher_as_the_level_has_it_and_not_at_the_head() -> None:
