@@ -47,7 +47,7 @@ class LineChange:
 
 
 @dataclass(frozen=True, slots=True)
-class _Reading:
+class _LineReading:
     """The functions and offers for a line; the ids of functions, which depend on their count, are left out."""
 
     functions: tuple[Function, ...]
@@ -82,7 +82,7 @@ def compare(understudy: Understudy, edits: Edits, lines: Mapping[str, str]) -> t
         raise rules_wrong(error) from None
 
 
-def _change(line_id: str, utterance: Utterance, before: _Reading, after: _Reading) -> Iterator[LineChange]:
+def _change(line_id: str, utterance: Utterance, before: _LineReading, after: _LineReading) -> Iterator[LineChange]:
     if before != after:
         yield LineChange(
             line_id,
@@ -94,7 +94,7 @@ def _change(line_id: str, utterance: Utterance, before: _Reading, after: _Readin
         )
 
 
-def _read(understudy: Understudy, utterance: Utterance) -> _Reading:
+def _read(understudy: Understudy, utterance: Utterance) -> _LineReading:
     known = understand(understudy.language.rules, utterance)
     offered = offer_movements(understudy.behavior.rules, utterance, known.functions, seed=0, facts=known.facts)
     offers = (
@@ -106,7 +106,7 @@ def _read(understudy: Understudy, utterance: Utterance) -> _Reading:
         for movement in choice.movements
         if each.function is not None
     )
-    return _Reading(tuple(map(_anonymous, known.functions)), tuple(offers))
+    return _LineReading(tuple(map(_anonymous, known.functions)), tuple(offers))
 
 
 def _anonymous(function: Function) -> Function:

@@ -141,7 +141,7 @@ class _Spelling:
 
 
 @dataclass(frozen=True, slots=True)
-class _Found:
+class _EntryMatch:
     entry: LexicalEntry
     words: tuple[int, ...]
 
@@ -238,7 +238,7 @@ def _spelling(written: str, parts: list[Token]) -> _Spelling:
     return _Spelling(forms, lemmas, closes=bool(text) and written.rstrip("\"')”’")[-1:] in CLOSING_MARKS)
 
 
-def _found_from(root: _Node, spellings: tuple[_Spelling, ...], start: int) -> Iterator[_Found]:
+def _found_from(root: _Node, spellings: tuple[_Spelling, ...], start: int) -> Iterator[_EntryMatch]:
     """Every entry whose words begin at `start` and whose conditions hold."""
     states: list[tuple[_Node, tuple[int, ...], frozenset[str]]] = [(root, (), frozenset())]
     while states:
@@ -246,7 +246,7 @@ def _found_from(root: _Node, spellings: tuple[_Spelling, ...], start: int) -> It
         here = words[-1] + 1 if words else start
         for entry in node.entries:
             if _holds(entry.conditions, spellings, words, parts_of_speech):
-                yield _Found(entry, words)
+                yield _EntryMatch(entry, words)
         if words and spellings[words[-1]].closes:
             continue
         for edges, position in _edges(node, here):
@@ -294,10 +294,10 @@ def _neighbours(spellings: tuple[_Spelling, ...], first: int, last: int) -> tupl
     return before, frozenset[str]() if end else spellings[last + 1].forms.keys()
 
 
-def _longest(found: list[_Found]) -> list[_Found]:
+def _longest(found: list[_EntryMatch]) -> list[_EntryMatch]:
     """The longest matches, such that no two of one class share a word."""
     taken: set[tuple[str, int]] = set()
-    kept: list[_Found] = []
+    kept: list[_EntryMatch] = []
     for match in sorted(found, key=_rank):
         name = match.entry.class_name
         if any((name, word) in taken for word in match.words):
@@ -307,6 +307,6 @@ def _longest(found: list[_Found]) -> list[_Found]:
     return sorted(kept, key=lambda match: (match.words[0], match.words[-1], match.entry.class_name))
 
 
-def _rank(match: _Found) -> tuple[int, bool, int, int]:
+def _rank(match: _EntryMatch) -> tuple[int, bool, int, int]:
     """Sort key: the longer match first, then exceptions, then the longer phrase ("could've" before "could")."""
     return -match.length, match.entry.subtype is not None, -len(match.entry.phrase), match.words[0]

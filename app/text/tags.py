@@ -52,7 +52,7 @@ class SpokenText:
 
 
 @dataclass(frozen=True, slots=True)
-class _Open:
+class _OpenTag:
     """A tag whose end has not come: its attributes, the first word inside, and its line and column."""
 
     name: str
@@ -62,7 +62,7 @@ class _Open:
 
 
 @dataclass(slots=True)
-class _Found:
+class _TextSoFar:
     """What was read so far."""
 
     words: list[str] = field(default_factory=list)
@@ -91,8 +91,8 @@ class _Reader:
 
     def __init__(self, table: TagTable) -> None:
         self._table = table
-        self._found = _Found()
-        self._open: list[_Open] = []
+        self._found = _TextSoFar()
+        self._open: list[_OpenTag] = []
         self._in_word = False
         self._parser = expat.ParserCreate()
         self._parser.buffer_text = True
@@ -101,7 +101,7 @@ class _Reader:
         self._parser.EndElementHandler = self._end
         self._parser.CharacterDataHandler = self._text
 
-    def read(self, text: str) -> _Found:
+    def read(self, text: str) -> _TextSoFar:
         try:
             self._parser.Parse(text.removeprefix("\ufeff").lstrip(), True)
         except expat.ExpatError as error:
@@ -123,7 +123,7 @@ class _Reader:
         self._in_word = self._in_word and name not in _SEPARATE
         first = len(self._found.words) - self._in_word
         lower = {each.rpartition(":")[2].lower(): value for each, value in attributes.items()}
-        self._open.append(_Open(name, lower, first, self._where()))
+        self._open.append(_OpenTag(name, lower, first, self._where()))
 
     def _end(self, _name: str) -> None:
         tag = self._open.pop()
@@ -139,7 +139,7 @@ class _Reader:
             if piece:
                 self._in_word = not piece.isspace()
 
-    def _take(self, tag: _Open, words: range) -> None:
+    def _take(self, tag: _OpenTag, words: range) -> None:
         functions = list(self._table.functions_of(tag.name, tag.attributes))
         if words:
             self._found.functions += [GivenFunction(name, subtype, words[0], words[-1]) for name, subtype in functions]
@@ -153,33 +153,33 @@ class _Reader:
             self._found.unread[tag.name] = None
 
 
-def _emphasis(found: _Found, tag: _Open, words: range) -> None:
+def _emphasis(found: _TextSoFar, tag: _OpenTag, words: range) -> None:
     if tag.attributes.get("level", "").lower() not in _UNEMPHATIC:
         found.emphasized.update(words)
 
 
-def _break(found: _Found, tag: _Open, _words: range) -> None:
+def _break(found: _TextSoFar, tag: _OpenTag, _words: range) -> None:
     time, strength = tag.attributes.get("time"), tag.attributes.get("strength", "medium").lower()
     if time is None and strength not in STRENGTHS_S:
         raise _misread(tag.where, f"<break strength={strength!r}>; there are {', '.join(STRENGTHS_S)}")
     _pause(found, STRENGTHS_S[strength] if time is None else _seconds(tag, "time", time))
 
 
-def _pause_sec(found: _Found, tag: _Open, _words: range) -> None:
+def _pause_sec(found: _TextSoFar, tag: _OpenTag, _words: range) -> None:
     _pause(found, _seconds(tag, "sec", tag.attributes.get("sec", "")))
 
 
-def _boundary(found: _Found, _tag: _Open, _words: range) -> None:
+def _boundary(found: _TextSoFar, _tag: _OpenTag, _words: range) -> None:
     _pause(found, BOUNDARY_S)
 
 
-def _pause(found: _Found, lasts_s: float) -> None:
+def _pause(found: _TextSoFar, lasts_s: float) -> None:
     """A pause after the last word; several there are one after the other."""
     last = len(found.words) - 1
     found.pauses_s[last] = found.pauses_s.get(last, 0.0) + lasts_s
 
 
-def _prosody(found: _Found, tag: _Open, words: range) -> None:
+def _prosody(found: _TextSoFar, tag: _OpenTag, words: range) -> None:
     told = tag.attributes.get("rate", "medium").strip().lower()
     number = _RATE.fullmatch(told)
     if told not in RATES and not number:
@@ -191,7 +191,7 @@ def _prosody(found: _Found, tag: _Open, words: range) -> None:
         found.rates[word] = found.rates.get(word, 1.0) * rate
 
 
-def _function(found: _Found, tag: _Open, words: range) -> None:
+def _function(found: _TextSoFar, tag: _OpenTag, words: range) -> None:
     name, told = tag.attributes.get("class", ""), tag.attributes.get("priority")
     if not name:
         raise _misread(tag.where, '<function> needs its class, such as <function class="negation">')
@@ -204,7 +204,7 @@ def _function(found: _Found, tag: _Open, words: range) -> None:
         found.functions.append(GivenFunction(name, subtype, words[0], words[-1], priority))
 
 
-def _gesture(found: _Found, tag: _Open, words: range) -> None:
+def _gesture(found: _TextSoFar, tag: _OpenTag, words: range) -> None:
     name = next((tag.attributes[each] for each in ("name", "lexeme", "type") if tag.attributes.get(each)), None)
     if not words:
         raise _misread(tag.where, "<gesture> has no words; put those inside on which it comes")
@@ -212,7 +212,7 @@ def _gesture(found: _Found, tag: _Open, words: range) -> None:
     found.demands.append(Demand(name or GENERIC_GESTURE, words[0], words[-1], always=True, by=by))
 
 
-_TAKEN: Mapping[str, Callable[[_Found, _Open, range], None]] = MappingProxyType(
+_TAKEN: Mapping[str, Callable[[_TextSoFar, _OpenTag, range], None]] = MappingProxyType(
     {
         "emphasis": _emphasis,
         "break": _break,
@@ -225,7 +225,7 @@ _TAKEN: Mapping[str, Callable[[_Found, _Open, range], None]] = MappingProxyType(
 )
 
 
-def _seconds(tag: _Open, attribute: str, told: str) -> float:
+def _seconds(tag: _OpenTag, attribute: str, told: str) -> float:
     found = _TIME.fullmatch(told.strip().lower())
     lasts_s = float(found[1]) / (1000 if found[2] == "ms" else 1) if found else -1.0
     if not 0 <= lasts_s <= _LONGEST_PAUSE_S:

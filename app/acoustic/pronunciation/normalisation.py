@@ -63,7 +63,7 @@ class Abbreviations(Entry):
 
 
 @dataclass(frozen=True, slots=True)
-class _Place:
+class _WordInContext:
     """A word of the transcript, folded and stripped of outer punctuation, with its neighbours."""
 
     previous: str
@@ -107,7 +107,7 @@ class Normaliser:
             and tuple(self._said(place)) == (place.word.lower(),)
         )
 
-    def _said(self, place: _Place) -> Tokens:
+    def _said(self, place: _WordInContext) -> Tokens:
         short = self._abbreviation(place)
         if short is not None:
             return tuple(short.split())
@@ -116,7 +116,7 @@ class Normaliser:
             return magnitude
         return self._number(place) if any(map(str.isdigit, place.word)) else self._text(place)
 
-    def _abbreviation(self, place: _Place) -> str | None:
+    def _abbreviation(self, place: _WordInContext) -> str | None:
         table, word = self.abbreviations, place.word.strip("'")
         bare, lower = word.rstrip("."), word.lower()
         if bare in table.exactly and not place.shouted:
@@ -130,14 +130,14 @@ class Normaliser:
         key = _key(lower, table.anywhere)
         return table.anywhere[key] if key else None
 
-    def _magnitude_of_money(self, place: _Place) -> Tokens | None:
+    def _magnitude_of_money(self, place: _WordInContext) -> Tokens | None:
         """The second word of "$5 million", where the currency follows both."""
         magnitude = self.abbreviations.magnitudes.get(place.word.lower().rstrip("."))
         if magnitude is None or place.previous[:1] not in self.abbreviations.currencies or len(place.previous) < 2:
             return None
         return magnitude, self.abbreviations.currencies[place.previous[0]][1]
 
-    def _number(self, place: _Place) -> Tokens:
+    def _number(self, place: _WordInContext) -> Tokens:
         for word in (place.word, place.word.rstrip(".")):
             for pattern, reading in _READINGS:
                 if found := pattern.fullmatch(word):
@@ -174,13 +174,13 @@ class Normaliser:
         single = table.magnitudes.get(unit) or table.symbols.get(unit)
         return (*amount, single) if single else ()
 
-    def _text(self, place: _Place) -> Tokens:
+    def _text(self, place: _WordInContext) -> Tokens:
         whole = place.word.lower().strip("-")
         if whole in self.known:
             return (whole,)
         return _letters(place.word) if _DOTTED.fullmatch(place.word) else tuple(self._pieces(place))
 
-    def _pieces(self, place: _Place) -> Iterator[str]:
+    def _pieces(self, place: _WordInContext) -> Iterator[str]:
         """The word split between letters, digits and symbols, each part expanded separately."""
         for piece in _PIECE.findall(place.word):
             if piece[0].isdigit():
@@ -193,7 +193,7 @@ class Normaliser:
             elif piece in self.abbreviations.symbols:
                 yield self.abbreviations.symbols[piece]
 
-    def _letters_or_word(self, piece: str, place: _Place) -> Tokens:
+    def _letters_or_word(self, piece: str, place: _WordInContext) -> Tokens:
         """An acronym letter by letter, anything else as a word."""
         lower = piece.lower()
         capitals = _CAPITALS.fullmatch(piece)
@@ -204,12 +204,12 @@ class Normaliser:
         return (lower,) if any(map(str.isalpha, lower)) else ()
 
 
-def _places(words: tuple[Word, ...]) -> Iterator[_Place]:
+def _places(words: tuple[Word, ...]) -> Iterator[_WordInContext]:
     """Each word, with its neighbours."""
     folded = [fold(word.text).strip(_OUTSIDE) for word in words]
     shouted = not any(character.islower() for word in folded for character in word)
     neighbours = zip(["", *folded], folded, [*folded[1:], ""], strict=False)
-    return (_Place(previous, word, following, shouted) for previous, word, following in neighbours)
+    return (_WordInContext(previous, word, following, shouted) for previous, word, following in neighbours)
 
 
 def fold(text: str) -> str:

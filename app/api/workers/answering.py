@@ -121,7 +121,7 @@ def _read_options(content: bytes, understudy: Understudy) -> Options:
 
 
 @dataclass(frozen=True, slots=True)
-class _Asked:
+class _MotionRequest:
     """BML to be realized, the options, the avatar and the audio."""
 
     sheet: BmlInput
@@ -160,7 +160,7 @@ def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer,
     return Answer(media_type, _headers(realized.motion.notices)), body
 
 
-def _moved(understudy: Understudy, asked: _Asked, staged: PreparedSchedule) -> RealizedSchedule:
+def _moved(understudy: Understudy, asked: _MotionRequest, staged: PreparedSchedule) -> RealizedSchedule:
     question = asked.question
     physics = understudy.acoustic.settings.physics if question.physics is None else question.physics
     return realize_prepared(
@@ -168,7 +168,7 @@ def _moved(understudy: Understudy, asked: _Asked, staged: PreparedSchedule) -> R
     )
 
 
-def _moved_by_model(understudy: Understudy, asked: _Asked, staged: PreparedSchedule) -> RealizedSchedule:
+def _moved_by_model(understudy: Understudy, asked: _MotionRequest, staged: PreparedSchedule) -> RealizedSchedule:
     """The motion by a motion model, which hears the recording. Raises InputError `motion_model`, `value_wrong`,
     `field_missing`."""
     from ...library import motion_models  # imported late: few requests need it
@@ -188,11 +188,11 @@ def _moved_by_model(understudy: Understudy, asked: _Asked, staged: PreparedSched
     )
 
 
-def _asked(understudy: Understudy, job: Job, content: bytes) -> _Asked:
+def _asked(understudy: Understudy, job: Job, content: bytes) -> _MotionRequest:
     """Raises InputError `field_missing`, UnsupportedFormatError `media_type`, and what the form's own checks raise."""
     limits, sent = understudy.acoustic.settings.motion_limits, media_type_of(job.content_type)
     if sent in BML_TYPES:
-        return _Asked(BmlInput(content, Path("bml"), limits=limits), RealizeOptions())
+        return _MotionRequest(BmlInput(content, Path("bml"), limits=limits), RealizeOptions())
     if sent != "multipart/form-data":
         raise UnsupportedFormatError("media_type", f"send BML as {XML}, or multipart/form-data with bml and audio")
     form = read_form(job.content_type, content, form_limits(Task.REALIZE, understudy.acoustic.settings))
@@ -204,7 +204,7 @@ def _asked(understudy: Understudy, job: Job, content: bytes) -> _Asked:
     name = PurePath(form["audio"].file_name or "").name if "audio" in form else ""
     audio = AudioFile(name, parts["audio"]) if name else None
     model, scenario = (form[name].text if name in form else None for name in ("motion_model", "scenario"))
-    return _Asked(sheet, question, parts.get("avatar"), audio, model, scenario)
+    return _MotionRequest(sheet, question, parts.get("avatar"), audio, model, scenario)
 
 
 def _understood(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:

@@ -22,7 +22,7 @@ EVERYONE_ELSE = "*"
 LEARN, NONE = "learn", "none"
 
 
-class _Part(Entry):
+class _CastEntry(Entry):
     """An entry of the file."""
 
     character: str | None = None
@@ -36,7 +36,7 @@ class _Part(Entry):
     target: Positions = Field(default_factory=dict)
 
 
-class _Cast(RootModel[dict[str, _Part]]):
+class _Cast(RootModel[dict[str, _CastEntry]]):
     """The file: parts by the names of the script's characters."""
 
 
@@ -104,7 +104,7 @@ def folded(name: str) -> str:
     return " ".join(name.split()).casefold()
 
 
-def _part(part: _Part, folder: Path) -> CastPart:
+def _part(part: _CastEntry, folder: Path) -> CastPart:
     """Raises InputError for a reference that cannot be read, `target_wrong`, `unknown_profile`; AuthoringError for a
     profile with mistakes."""
     reference = None
@@ -139,7 +139,7 @@ def _affect(told: str | tuple[float, float, float], folder: Path) -> AffectTrack
         raise InputError("affect_wrong", message, field="cast") from None
 
 
-def _doubles(source: Source, told: Mapping[str, _Part]) -> Iterator[Mistake]:
+def _doubles(source: Source, told: Mapping[str, _CastEntry]) -> Iterator[Mistake]:
     seen: set[str] = set()
     for name in told:
         if folded(name) in seen:

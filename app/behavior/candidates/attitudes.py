@@ -49,20 +49,20 @@ class Attitude:
     reads: str
 
 
-class _Line(Entry):
+class _AttitudeLine(Entry):
     shows: Annotated[tuple[str, ...], Field(min_length=1)]
     surely: float = Field(gt=0, le=1)
     reads: str
 
 
-class _File(RootModel[dict[Tone, _Line]]):
+class _AttitudesFile(RootModel[dict[Tone, _AttitudeLine]]):
     pass
 
 
 def load_attitudes(path: Path, behaviors: Collection[str], faces: Collection[str]) -> Mapping[Tone, Attitude]:
     """The attitudes in a file; raises AuthoringError for behaviours and kinds of face that do not exist."""
     source = Source(path)
-    file = source.validated(_File).root
+    file = source.validated(_AttitudesFile).root
     mistakes = [
         source.mistake((tone, "shows"), f"no behaviour is called {name!r}{did_you_mean(name, behaviors)}")
         for tone, line in file.items()

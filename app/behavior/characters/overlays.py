@@ -81,7 +81,7 @@ class Characters:
         mistakes: list[Mistake] = []
         table = collected(partial(load_table, lexicon / "behaviors.yaml"), mistakes)
         paths = sorted((lexicon / "characters").glob("*.yaml"))
-        sheets = [collected(partial(_Sheet.read, path), mistakes) for path in paths]
+        sheets = [collected(partial(_ValidFile.read, path), mistakes) for path in paths]
         characters = [collected(partial(sheet.overlaid, table), mistakes) for sheet in sheets if sheet and table]
         if table is None or mistakes:
             raise AuthoringError(tuple(mistakes))
@@ -171,14 +171,14 @@ class _CharacterFile(Entry):
 
 
 @dataclass(frozen=True, slots=True)
-class _Sheet:
+class _ValidFile:
     """A character's file, valid by itself."""
 
     source: Source
     file: _CharacterFile
 
     @classmethod
-    def read(cls, path: Path) -> "_Sheet":
+    def read(cls, path: Path) -> "_ValidFile":
         if not _NAME.fullmatch(path.stem):
             raise AuthoringError(
                 (Mistake(path, 1, 1, "a character's file is named in letters, digits and _, a letter first"),)

@@ -95,7 +95,7 @@ def load_families(path: Path, behaviors: Mapping[str, Playable]) -> Families:
     """The families in `path`, with what authors add to them (`tables_of`), shown by entries of the table `behaviors`;
     raises AuthoringError with every mistake."""
     source, *added = map(Source, tables_of(path))
-    written = [(source, source.validated(_FamiliesFile)), *((each, each.validated(_Addition)) for each in added)]
+    written = [(source, source.validated(_FamiliesFile)), *((each, each.validated(_FamilyAddition)) for each in added)]
     whole = _joined([file for _source, file in written])
     mistakes = [mistake for each, file in written for mistake in _mistakes(each, file, whole, behaviors)]
     mistakes += [written[-1][0].mistake(("shows",), message) for message in _unlisted(whole, behaviors)]
@@ -120,13 +120,13 @@ _Lexeme = Annotated[str, Field(pattern=r"^[A-Z][A-Z0-9_]*$")]
 _Lemma = Annotated[str, Field(pattern=r"^[^A-Z\s]+$")]
 
 
-class _Line(Entry):
+class _FamilyLine(Entry):
     behavior: str
     lemmas: Annotated[tuple[_Lemma, ...], Field(min_length=1)] | None = None
     agitation: Annotated[tuple[Level, ...], Field(min_length=1)] | None = None
 
 
-_Lines = tuple[Annotated[_Line, BeforeValidator(_named)], ...]
+_Lines = tuple[Annotated[_FamilyLine, BeforeValidator(_named)], ...]
 """Empty for a family that is shown by not moving, such as `still`."""
 
 
@@ -138,7 +138,7 @@ class _FamiliesFile(Entry):
     shows: dict[_Lexeme, Annotated[tuple[_Name, ...], Field(min_length=1)]]
 
 
-class _Addition(_FamiliesFile):
+class _FamilyAddition(_FamiliesFile):
     """A file of an author's: further behaviours of families, which come before the others, and further lexemes."""
 
     gesture: dict[_Name, _Lines] = Field(default_factory=dict)
@@ -171,11 +171,11 @@ _CHANNELS: Mapping[str, frozenset[Channel]] = MappingProxyType(
 """What the behaviours of each part of the file may move: a lean of the trunk counts as a movement of the head."""
 
 
-def _behaviors(listed: Mapping[str, tuple[_Line, ...]]) -> Mapping[str, tuple[FamilyBehavior, ...]]:
+def _behaviors(listed: Mapping[str, tuple[_FamilyLine, ...]]) -> Mapping[str, tuple[FamilyBehavior, ...]]:
     return MappingProxyType({family: tuple(map(_behavior, lines)) for family, lines in listed.items()})
 
 
-def _behavior(line: _Line) -> FamilyBehavior:
+def _behavior(line: _FamilyLine) -> FamilyBehavior:
     levels = frozenset(Level if line.agitation is None else line.agitation)
     return FamilyBehavior(line.behavior, frozenset(line.lemmas or ()), levels)
 
@@ -198,7 +198,7 @@ def _mistakes(
                 yield source.mistake(("shows", lexeme, position), told)
 
 
-def _line_mistakes(part: str, line: _Line, behaviors: Mapping[str, Playable]) -> Iterator[str]:
+def _line_mistakes(part: str, line: _FamilyLine, behaviors: Mapping[str, Playable]) -> Iterator[str]:
     if line.behavior not in behaviors:
         yield f"no behaviour is called {line.behavior!r}{did_you_mean(line.behavior, behaviors)}"
     elif behaviors[line.behavior].channel not in _CHANNELS[part]:

@@ -64,7 +64,7 @@ class MimeTable:
     def load(cls, path: Path, behaviors: Collection[str]) -> "MimeTable":
         """The table in a file. Raises AuthoringError with every mistake, among them behaviours that do not exist."""
         source = Source(path)
-        file = source.validated(_File)
+        file = source.validated(_MimesFile)
         mistakes = tuple(
             source.mistake(("mimes", name), f"no behaviour is called {name!r}{did_you_mean(name, behaviors)}")
             for name in file.mimes
@@ -146,7 +146,7 @@ _Lemma = Annotated[str, Field(pattern=r"^[a-z][a-z'-]*$")]
 _Lemmas = Annotated[tuple[_Lemma, ...], Field(min_length=1)]
 
 
-class _Line(Entry):
+class _MimeLine(Entry):
     verbs: _Lemmas
     objects: tuple[_Lemma, ...] = ()
     without: tuple[_Lemma, ...] = ()
@@ -157,6 +157,6 @@ class _Line(Entry):
         return Action(name, frozenset(self.verbs), frozenset(self.objects), frozenset(self.without), told)
 
 
-class _File(Entry):
+class _MimesFile(Entry):
     people: _Lemmas
-    mimes: dict[str, Annotated[tuple[_Line, ...], Field(min_length=1)]]
+    mimes: dict[str, Annotated[tuple[_MimeLine, ...], Field(min_length=1)]]

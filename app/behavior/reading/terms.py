@@ -41,16 +41,16 @@ Term: TypeAlias = tuple[str, int, int]
 """A term's name, and the first and last word that have it."""
 
 
-class _Line(Entry):
+class _TermLine(Entry):
     name: str
     span: Annotated[tuple[int, ...], Field(min_length=1, max_length=2)]
 
 
 class _TermsFile(Entry):
-    terms: dict[str, _Line]
+    terms: dict[str, _TermLine]
 
 
-def _mistakes(predicate: str, line: _Line, predicates: Mapping[str, int]) -> Iterator[str]:
+def _mistakes(predicate: str, line: _TermLine, predicates: Mapping[str, int]) -> Iterator[str]:
     if predicate not in predicates:
         yield f"{predicate!r} is no predicate of the rules{did_you_mean(predicate, predicates)}"
         return

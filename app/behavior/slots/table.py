@@ -59,7 +59,7 @@ class SlotTable:
         """The table in a file; `shows` are the families as which each lexeme may be read. Raises AuthoringError with
         every mistake, among them families that do not exist."""
         source = Source(path)
-        file = source.validated(_File)
+        file = source.validated(_SlotsFile)
         mistakes = [
             *_mistakes(source, file),
             *_family_mistakes(source, file, {name for each in shows.values() for name in each}),
@@ -95,7 +95,7 @@ _Words = Annotated[tuple[str, ...], Field(min_length=1)]
 _Metres = Annotated[float, Field(gt=0, le=1e6)]
 
 
-class _Line(Entry):
+class _SlotLine(Entry):
     value: str = Field(alias="is")
     words: _Patterns
     line: _Patterns = ()
@@ -106,7 +106,7 @@ class _Pair(Entry):
     other: _Patterns
 
 
-class _File(Entry):
+class _SlotsFile(Entry):
     sets: dict[str, _Words]
     numbers: dict[float, _Words]
     units_m: dict[_Metres, _Words]
@@ -114,23 +114,23 @@ class _File(Entry):
     sizes_m: dict[Size, _Metres]
     shown_by: dict[str, _Words]
     contrasts: tuple[_Pair, ...]
-    slots: dict[str, tuple[_Line, ...]]
+    slots: dict[str, tuple[_SlotLine, ...]]
 
 
-def _sayings(file: _File, read: Callable[[Sequence[str]], tuple[Pattern, ...]]) -> Iterator[Saying]:
+def _sayings(file: _SlotsFile, read: Callable[[Sequence[str]], tuple[Pattern, ...]]) -> Iterator[Saying]:
     for slot, lines in file.slots.items():
         for line in lines:
             yield Saying(slot, None if line.value == NOTHING else line.value, read(line.words), read(line.line))
 
 
-def _shown(file: _File, families: Sequence[str]) -> Iterator[str]:
+def _shown(file: _SlotsFile, families: Sequence[str]) -> Iterator[str]:
     """The slots that a lexeme of these families can show."""
     for slot, shown_by in file.shown_by.items():
         if not set(families).isdisjoint(shown_by):
             yield slot
 
 
-def _mistakes(source: Source, file: _File) -> Iterator[Mistake]:
+def _mistakes(source: Source, file: _SlotsFile) -> Iterator[Mistake]:
     for kind in ("slots", "shown_by"):
         for slot in getattr(file, kind):
             if slot not in Slots.__slots__:
@@ -147,14 +147,14 @@ def _mistakes(source: Source, file: _File) -> Iterator[Mistake]:
     yield from _missing_lengths(source, file)
 
 
-def _missing_lengths(source: Source, file: _File) -> Iterator[Mistake]:
+def _missing_lengths(source: Source, file: _SlotsFile) -> Iterator[Mistake]:
     for name, missing in (("heights_m", set(Height) - set(file.heights_m)), ("sizes_m", set(Size) - set(file.sizes_m))):
         if missing:
             yield source.mistake((name,), f"{', '.join(sorted(missing))} is missing")
 
 
 def _pattern_mistakes(
-    source: Source, file: _File, where: tuple[str | int, ...], patterns: Sequence[str]
+    source: Source, file: _SlotsFile, where: tuple[str | int, ...], patterns: Sequence[str]
 ) -> Iterator[Mistake]:
     for place, pattern in enumerate(patterns):
         try:
@@ -163,7 +163,7 @@ def _pattern_mistakes(
             yield source.mistake((*where, place), str(error))
 
 
-def _family_mistakes(source: Source, file: _File, families: Collection[str]) -> Iterator[Mistake]:
+def _family_mistakes(source: Source, file: _SlotsFile, families: Collection[str]) -> Iterator[Mistake]:
     for slot, shown in file.shown_by.items():
         for place, family in enumerate(shown):
             if family not in families:

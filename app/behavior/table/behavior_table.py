@@ -144,14 +144,14 @@ class BehaviorLine(BehaviorChange):
     timing: str
 
 
-class _Addition(Entry):
+class _TableAddition(Entry):
     """A file of an author's that is added to the table; an entry of the same name takes the place of the table's."""
 
     timings: dict[_Name, TimingEntry] = Field(default_factory=dict)
     behaviors: dict[_Name, BehaviorLine] = Field(default_factory=dict)
 
 
-class _TableFile(_Addition):
+class _TableFile(_TableAddition):
     timings: dict[_Name, TimingEntry]
     behaviors: dict[_Name, BehaviorLine]
 
@@ -189,8 +189,8 @@ def load_table(path: Path) -> BehaviorTable:
         for name in UNASKED
         if name not in file.behaviors
     ]
-    parts: list[tuple[Source, _Addition]] = [(source, file)]
-    parts += [(each, each.validated(_Addition)) for each in added]
+    parts: list[tuple[Source, _TableAddition]] = [(source, file)]
+    parts += [(each, each.validated(_TableAddition)) for each in added]
     timings = {name: timing for _source, part in parts for name, timing in part.timings.items()}
     for written, part in parts:
         for name, line in part.behaviors.items():

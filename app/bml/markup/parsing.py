@@ -55,7 +55,7 @@ class _UnboundPrefixError(NotXmlError):
 
 
 @dataclass(frozen=True, slots=True)
-class _Open:
+class _OpenElement:
     """An element whose end tag has not been reached."""
 
     name: str
@@ -64,13 +64,13 @@ class _Open:
     place: TagPosition
 
 
-class _Builder:
+class _ElementBuilder:
     """Builds the elements from the parser's events."""
 
     def __init__(self, max_depth: int, *, lines_before: int = 0) -> None:
         self._max_depth = max_depth
         self._lines_before = lines_before
-        self._open = [_Open("", {}, [], TagPosition(1, 1))]
+        self._open = [_OpenElement("", {}, [], TagPosition(1, 1))]
         self._parser = expat.ParserCreate(namespace_separator=_SEPARATOR)
         self._parser.buffer_text = True
         self._parser.StartDoctypeDeclHandler = self._refuse_doctype
@@ -100,7 +100,7 @@ class _Builder:
         if len(self._open) > self._max_depth:
             raise NotXmlError(f"more than {self._max_depth} elements inside one another", self._place())
         named = {_qualified(each): value for each, value in attributes.items()}
-        self._open.append(_Open(_qualified(name), named, [], self._place()))
+        self._open.append(_OpenElement(_qualified(name), named, [], self._place()))
 
     def _end(self, _name: str) -> None:
         done = self._open.pop()
@@ -120,7 +120,7 @@ def parse(content: bytes, limits: ReadingLimits) -> ParsedDocument:
         column = error.start - content.rfind(b"\n", 0, error.start)
         raise NotXmlError("not UTF-8; write BML in UTF-8", TagPosition(line, column)) from None
     try:
-        return ParsedDocument(_Builder(limits.max_depth).build(text))
+        return ParsedDocument(_ElementBuilder(limits.max_depth).build(text))
     except _UnboundPrefixError as error:
         if _prefix_at(text, error.place) != _BOUND:
             raise _with_remedy(error, text) from None
@@ -151,7 +151,7 @@ def _with_bound_prefix(text: str, limits: ReadingLimits) -> Element:
         lambda found: "\n" * found[0].count("\n") + " " * len(found[0].rpartition("\n")[2]), text
     )
     around = f'<file xmlns:{_BOUND}="{_NAMESPACES[_BOUND]}">\n{whole}</file>'
-    file = _Builder(limits.max_depth + 1, lines_before=1).build(around)
+    file = _ElementBuilder(limits.max_depth + 1, lines_before=1).build(around)
     roots = list(file.children)
     if len(roots) != 1:
         raise NotXmlError("not well-formed XML: one outermost element", file.place or TagPosition(1, 1))

@@ -62,7 +62,7 @@ class ResolvedDocument:
 
 
 @dataclass(frozen=True, slots=True)
-class _Asked:
+class _TimedElement:
     """A behaviour element with its sync points."""
 
     element: Element
@@ -161,7 +161,7 @@ def _heard_or_guessed_s(mark: str, speech: Speech, words: tuple[Word, ...]) -> f
     return GUESSED_WORD_S * speech.marks[mark] if heard_s is None else heard_s
 
 
-def _asked(document: Document) -> Iterator[_Asked]:
+def _asked(document: Document) -> Iterator[_TimedElement]:
     kinds = _kinds(document.dialect)
     for number, element in enumerate(behaviors_of(document), start=1):
         kind = kinds.get(element.name)
@@ -173,7 +173,7 @@ def _asked(document: Document) -> Iterator[_Asked]:
             if isinstance(time, float | Reference):
                 times[name] = time
         name = element.id or f"{element.name}.{number}"
-        yield _Asked(element, StatedPoints(name, kind.syncs, usual_s(element.name, len(kind.syncs)), times))
+        yield _TimedElement(element, StatedPoints(name, kind.syncs, usual_s(element.name, len(kind.syncs)), times))
 
 
 def _kinds(dialect: DialectName) -> dict[str, ElementKind]:

@@ -31,7 +31,7 @@ def answer_lines(language: LanguageModels, stream: BufferedIOBase) -> None:
     before = 0
     for lines in waiting_lines(stream):
         spoken = [_read(line, language.settings.max_text_characters) if line.strip() else None for line in lines]
-        analyses = find_functions_in_all(language, [asked.words for asked in spoken if isinstance(asked, _Asked)])
+        analyses = find_functions_in_all(language, [asked.words for asked in spoken if isinstance(asked, _TextLine)])
         for number, asked in enumerate(spoken, start=before + 1):
             if isinstance(asked, MistakeResponse):
                 wrong.append(number)
@@ -58,17 +58,17 @@ def waiting_lines(stream: BufferedIOBase) -> Iterator[Sequence[bytes]]:
 
 
 @dataclass(frozen=True, slots=True)
-class _Asked:
+class _TextLine:
     id: str | int | None
     words: tuple[Word, ...]
 
 
-def _read(line: bytes, max_characters: int) -> _Asked | MistakeResponse:
+def _read(line: bytes, max_characters: int) -> _TextLine | MistakeResponse:
     fields: dict[str, object] = {}
     try:
         fields = read_object(line, "line")
         question = read_request(fields)
-        return _Asked(question.id, read_transcript(question.text, max_characters=max_characters))
+        return _TextLine(question.id, read_transcript(question.text, max_characters=max_characters))
     except InputError as error:
         return MistakeResponse.of(error, line_id(fields))
 

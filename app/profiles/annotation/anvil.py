@@ -30,7 +30,7 @@ class _Link:
 
 def read_anvil(content: bytes, path: Path) -> tuple[Track, ...]:
     """The tracks of a file; raises AnnotationError with every element that has no time, or links to nothing."""
-    reading = _Reading(path)
+    reading = _AnvilTracks(path)
     for track in xml_root(content, path, "annotation").iter("track"):
         reading.read(track)
     tracks = tuple(reading.tracks())
@@ -39,7 +39,7 @@ def read_anvil(content: bytes, path: Path) -> tuple[Track, ...]:
     return tracks
 
 
-class _Reading:
+class _AnvilTracks:
     """The tracks so far, their elements by number, and the links of elements, which may name tracks that follow."""
 
     def __init__(self, path: Path) -> None:

@@ -90,7 +90,7 @@ class _SpanForm(BaseModel):
     end_s: Annotated[float, Field(allow_inf_nan=False)]
 
 
-class _File(BaseModel):
+class _TracksFile(BaseModel):
     model_config = ConfigDict(frozen=True)
 
     tracks: dict[str, list[_SpanForm]]
@@ -99,7 +99,7 @@ class _File(BaseModel):
 def read_json(content: bytes, path: Path) -> tuple[Track, ...]:
     """The tracks of an object; raises AnnotationError with every span that is none."""
     try:
-        file = _File.model_validate_json(decoded(content, path))
+        file = _TracksFile.model_validate_json(decoded(content, path))
     except ValidationError as error:
         raise AnnotationError(_mistakes(path, error)) from None
     return tuple(

@@ -21,7 +21,7 @@ _KINDS = {"IntervalTier": 3, "TextTier": 2}
 
 def read_textgrid(content: bytes, path: Path) -> tuple[Track, ...]:
     """The tiers of a file; raises AnnotationError with every time that is none, and where the file breaks off."""
-    reading = _Reading(decoded(content, path), path)
+    reading = _TextGridValues(decoded(content, path), path)
     try:
         tracks = tuple(reading.tracks())
     except _BrokenError as error:
@@ -35,7 +35,7 @@ class _BrokenError(ValueError):
     """What is expected is not there, so that nothing after it can be understood."""
 
 
-class _Reading:
+class _TextGridValues:
     """A file's values one after the other; `track` is the tier that is being read."""
 
     def __init__(self, text: str, path: Path) -> None:

@@ -177,7 +177,7 @@ def _wrist_of_left(bones: ArmBones, parts: FloatArray) -> FloatArray:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Asked:
+class _ArmTarget:
     """The targets of a key: wrist position, directions of fingers and palm, raising of the collarbone, and the swivel
     of the elbow if one is asked for."""
 
@@ -188,16 +188,16 @@ class _Asked:
     elbow_deg: float | None = None
 
 
-def _asked(skeleton: Skeleton, key: ArmKey, amplitude: float, aim_m: FloatArray | None) -> _Asked:
+def _asked(skeleton: Skeleton, key: ArmKey, amplitude: float, aim_m: FloatArray | None) -> _ArmTarget:
     wrist_m = on_body_m(skeleton, sector_m(key.place or CENTRE, amplitude))
     finger_base, palm = _directions(key.wrist or Wrist())
     if aim_m is not None and key.place is not None:
         wrist_m, finger_base = _on_the_line(ArmBones.of(skeleton), aim_m, wrist_m)
         palm = _POINTING_PALM if palm is None else palm
-    return _Asked(wrist_m, finger_base, palm, key.shoulder or 0.0, key.elbow_deg)
+    return _ArmTarget(wrist_m, finger_base, palm, key.shoulder or 0.0, key.elbow_deg)
 
 
-def _solved(skeleton: Skeleton, asked: Sequence[_Asked], manner: GestureManner) -> FloatArray:
+def _solved(skeleton: Skeleton, asked: Sequence[_ArmTarget], manner: GestureManner) -> FloatArray:
     """The first five parts (K, 5, 4) of each arm, at the elbow swivel that suits the wrist and the manner best."""
     bones = ArmBones.of(skeleton)
     wrists_m = np.stack([each.wrist_m for each in asked])[:, None]
@@ -213,7 +213,7 @@ def _solved(skeleton: Skeleton, asked: Sequence[_Asked], manner: GestureManner) 
     )
 
 
-def _turned(forearm: FloatArray, asked: Sequence[_Asked]) -> WristAngles:
+def _turned(forearm: FloatArray, asked: Sequence[_ArmTarget]) -> WristAngles:
     """The wrist angles (K, swivels), computed in groups of keys that define the same directions."""
     angles = np.zeros((*forearm.shape[:-1], 3))
     said = [(each.finger_base is not None, each.palm is not None) for each in asked]
@@ -227,7 +227,7 @@ def _turned(forearm: FloatArray, asked: Sequence[_Asked]) -> WristAngles:
     return WristAngles(angles)
 
 
-def _off_deg(asked: _Asked, manner: GestureManner) -> FloatArray:
+def _off_deg(asked: _ArmTarget, manner: GestureManner) -> FloatArray:
     """How far each swivel is from the one that is asked for, or else from what the manner tends to, so that the elbow
     is there unless there is a reason; in units that weigh what is asked for more."""
     if asked.elbow_deg is not None:

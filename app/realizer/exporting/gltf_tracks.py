@@ -28,17 +28,17 @@ _TYPES: Mapping[int, tuple[str, float]] = {
 _COLUMNS = {"SCALAR": 1, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 
 
-class _Part(BaseModel):
+class _GltfPart(BaseModel):
     model_config = ConfigDict(frozen=True, defer_build=True)
 
 
-class _View(_Part):
+class _View(_GltfPart):
     byte_offset: Annotated[Index, Field(alias="byteOffset")] = 0
     byte_length: Annotated[Index, Field(alias="byteLength")]
     byte_stride: Annotated[Index | None, Field(alias="byteStride")] = None
 
 
-class _Accessor(_Part):
+class _Accessor(_GltfPart):
     view: Annotated[Index, Field(alias="bufferView")]
     byte_offset: Annotated[Index, Field(alias="byteOffset")] = 0
     component: Annotated[Literal[5120, 5121, 5122, 5123, 5126], Field(alias="componentType")]
@@ -47,34 +47,34 @@ class _Accessor(_Part):
     sparse: None = None
 
 
-class _Sampler(_Part):
+class _Sampler(_GltfPart):
     input: Index
     output: Index
     interpolation: Literal["LINEAR", "STEP", "CUBICSPLINE"] = "LINEAR"
 
 
-class _Target(_Part):
+class _Target(_GltfPart):
     node: Index | None = None
     path: str
 
 
-class _Channel(_Part):
+class _Channel(_GltfPart):
     sampler: Index
     target: _Target
 
 
-class _Animation(_Part):
+class _Animation(_GltfPart):
     name: str = ""
     channels: tuple[_Channel, ...]
     samplers: tuple[_Sampler, ...]
 
 
-class _Skin(_Part):
+class _Skin(_GltfPart):
     joints: tuple[Index, ...]
     bind: Annotated[Index | None, Field(alias="inverseBindMatrices")] = None
 
 
-class _Tracks(_Part):
+class _Tracks(_GltfPart):
     animations: tuple[_Animation, ...] = ()
     skins: tuple[_Skin, ...] = ()
 

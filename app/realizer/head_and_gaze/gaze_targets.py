@@ -73,7 +73,7 @@ class GazeTargets:
     trunk: FloatArray
 
 
-class _Line(NamedTuple):
+class _GazeLine(NamedTuple):
     """The gaze direction from `at_s` on, what a glance adds to it, and the lexeme that determines the shares of head
     and trunk."""
 
@@ -93,7 +93,7 @@ def gaze_targets(
     names = {each.target for each in schedule.behaviors if each.kind is Channel.GAZE and each.kept}
     at = {name: _at(name, from_m, targets_m) for name in {None, *names}}
     aside = np.append(before, 0.0) if _opens_with_a_turn(schedule) else _NOWHERE
-    lines = [_Line(0.0, 0.0, at[None] + aside, _NOWHERE, "SHIFT"), *_lines(schedule, at)]
+    lines = [_GazeLine(0.0, 0.0, at[None] + aside, _NOWHERE, "SHIFT"), *_lines(schedule, at)]
     line, glance = np.array([each.line for each in lines]), np.array([each.glance for each in lines])
     shares = np.array([[HEAD_SHARE[each.lexeme], TRUNK_SHARE[each.lexeme]] for each in lines])
     head = shares[:, :1] * line[:, :2]
@@ -115,7 +115,7 @@ def _opens_with_a_turn(schedule: Schedule) -> bool:
     return first is not None and (first.lexeme, first.direction) == ("SHIFT", None) and first.sync.start <= OPENING_S
 
 
-def _lines(schedule: Schedule, at: Mapping[str | None, FloatArray]) -> Iterator[_Line]:
+def _lines(schedule: Schedule, at: Mapping[str | None, FloatArray]) -> Iterator[_GazeLine]:
     """The latest active gaze determines the direction, separately for glances and for the others."""
     base = at[None]
     running: list[Behavior] = []
@@ -133,7 +133,7 @@ def _lines(schedule: Schedule, at: Mapping[str | None, FloatArray]) -> Iterator[
         if glances:
             glance = _aside(glances[-1]) if glances[-1].direction in DIRECTIONS else at[glances[-1].target] - line
         kind = (aside[-1].lexeme if aside[-1].lexeme in HEAD_SHARE else "LOOK") if aside else "SHIFT"
-        yield _Line(at_s, within_s, line, glance, kind)
+        yield _GazeLine(at_s, within_s, line, glance, kind)
 
 
 def _moments(schedule: Schedule) -> list[tuple[float, float, Behavior, bool]]:

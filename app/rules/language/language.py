@@ -92,7 +92,7 @@ def _grammar() -> Lark:
 def _parse_block(cut: "_Cut") -> tuple[PredicateTree | RuleTree | None, list[_Located]]:
     """The tree of a block, or None, and its mistakes."""
     text = cut.source + "\n"
-    builder = _Builder(cut.first_line)
+    builder = _TreeBuilder(cut.first_line)
     try:
         parsed = _grammar().parse(text)
     except UnexpectedInput as error:
@@ -181,7 +181,7 @@ class _Lines(PostLex):
 
 
 @v_args(inline=True)
-class _Builder(Transformer[Token, Any]):
+class _TreeBuilder(Transformer[Token, Any]):
     """Converts lark's tree of one block to ours. Raises nothing: malformed parts are added to `mistakes`."""
 
     def __init__(self, first_line: int) -> None:

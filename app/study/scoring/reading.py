@@ -118,7 +118,7 @@ def read_answers(paths: Sequence[Path], key: Path | None = None) -> Answers:
     if len(set(kinds)) > 1:
         message = f"answers about {kinds[-1]}, and those of {paths[0]} are about {kinds[0]}; score them apart"
         raise AnswersError([CellMistake(paths[-1], 1, message)])
-    reading = _Reading(kinds[0], told)
+    reading = _TableReading(kinds[0], told)
     for table in tables:
         reading.read(table)
     return reading.answers()
@@ -169,7 +169,7 @@ def _key(paths: Sequence[Path], named: Path | None) -> Key | None:
     return next((read_key(path) for path in beside if path.is_file()), None)
 
 
-class _Reading:
+class _TableReading:
     """Reads several tables and collects their mistakes."""
 
     def __init__(self, comparison: Comparison, key: Key | None) -> None:
