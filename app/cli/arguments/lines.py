@@ -124,7 +124,7 @@ def add_live(add: Adding) -> None:
     parser.add_argument(
         "--live-link-face", metavar="HOST:PORT", help="move a face there, as the app Live Link Face does (port 11111)"
     )
-    told = "arms, trunk and head by a motion model, from understudy motion-model train"
+    told = "arms, trunk and head by a motion model: of understudy motion-model train, or default"
     parser.add_argument("--model", metavar="MODEL", type=InputFile, help=told)
     told = "search its path by durations of 1, 1 + M, 1 + 2 M … frames after the N best kinds (default: all)"
     parser.add_argument("--search", metavar=("M", "N"), type=int, nargs=2, help=told)

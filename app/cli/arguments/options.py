@@ -105,7 +105,7 @@ def add_agitation_model(parser: argparse.ArgumentParser) -> None:
 
 
 def add_motion_model(parser: argparse.ArgumentParser) -> None:
-    told = "arms, trunk and head by a motion model, from understudy motion-model train, in what --realize writes"
+    told = "arms, trunk and head of --realize by a motion model: of understudy motion-model train, or default"
     parser.add_argument("--motion-model", metavar="MODEL", type=InputFile, help=told)
     told = "what drives it: voice and affect (S1, S2), voice (S3, S4), affect (S5, S6), or RTS (default S1)"
     parser.add_argument("--scenario", metavar="S1…S6", default="S1", help=told)
