@@ -159,10 +159,12 @@ def _layer_links(bundled: _Bundled, layer: Path, number: int, mistakes: list[Mis
     links = {}
     for path in sorted(layer.rglob("*.*")):
         inside = PurePosixPath(path.relative_to(layer).as_posix())
-        if path.suffix not in AUTHORED or not path.is_file() or any(part.startswith(".") for part in inside.parts):
+        if path.suffix not in AUTHORED or path.is_dir() or any(part.startswith(".") for part in inside.parts):
             continue
         name = bundled.named(inside)
-        if name is None:
+        if not path.is_file():
+            mistakes.append(Mistake(path, 1, 1, "is no file, nor a link to one"))
+        elif name is None:
             known = ", ".join(f"{each}/" for each in (*_FOLDERS, *(f"rules/{kind}" for kind in _KINDS_OF_RULES)))
             mistakes.append(Mistake(path, 1, 1, f"nothing reads a file here; files are read from {known}"))
         else:

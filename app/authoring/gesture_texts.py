@@ -20,6 +20,9 @@ from ..realizer.realizing import Realizer
 NAME = Path("gesture")
 """The name in messages of a text without a file."""
 
+MOST_MISTAKES = 200
+"""How many mistakes of a text are told: a text of half a megabyte can have 40,000."""
+
 
 @dataclass(frozen=True, slots=True)
 class CheckedText:
@@ -32,11 +35,12 @@ class CheckedText:
 
 
 def check_text(text: str, skeleton: Skeleton) -> CheckedText:
-    """The gestures of a text in the gesture language (docs/gesture-language.md), or all its mistakes."""
+    """The gestures of a text in the gesture language (docs/gesture-language.md), or the first `MOST_MISTAKES` of its
+    mistakes."""
     try:
         definitions = parse_definitions(text, NAME)
     except AuthoringError as error:
-        return CheckedText(text, mistakes=error.mistakes)
+        return CheckedText(text, mistakes=error.mistakes[:MOST_MISTAKES])
     found = tuple(doubt for definition in definitions for doubt in doubts(skeleton, definition))
     return CheckedText(text, definitions, doubts=found)
 

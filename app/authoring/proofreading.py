@@ -130,6 +130,7 @@ def check_files_in_use() -> None:
     lexicon = lexicon_folder()
     mistakes = mistakes_of(
         load_function_rules,
+        lambda: refuse_unread_words(lexicon / "en"),
         partial(Normaliser.load, lexicon / "en" / "abbreviations.yaml", ()),
         lambda: load_mapping_rules(load_characters().behavior_names),
         load_gestures,

@@ -7,6 +7,7 @@ from tests.support.motion.gesture_files import gesture
 from understudy.authoring.gesture_texts import (
     BEFORE_S,
     BEHAVIOR,
+    MOST_MISTAKES,
     Playing,
     check_text,
     one_gesture,
@@ -35,6 +36,10 @@ def test_a_wrong_text_has_every_mistake_with_its_place_and_no_definition() -> No
     places = [(lines[one.line - 1].strip(), lines[one.line - 1][one.column - 1 :]) for one in found.mistakes]
     assert places == [("ARM XC YCC ZNeer", "ZNeer"), ("WRIST FBUp PalmDown", "PalmDown")]
     assert found.definitions == ()
+
+
+def test_of_very_many_mistakes_the_first_are_told() -> None:
+    assert len(check_text("STARTFRAME\n" * 1000, Skeleton.standing()).mistakes) == MOST_MISTAKES
 
 
 def test_a_pose_out_of_reach_is_doubtful_and_no_mistake() -> None:

@@ -9,6 +9,7 @@ import pytest
 import understudy as package
 from understudy.authored_folders import VARIABLE, laid_over, lexicon_folder, origin, rules_folder
 from understudy.authoring.file_checking import check_files
+from understudy.authoring.proofreading import check_files_in_use
 from understudy.authoring.rule_edits import mistakes_in
 from understudy.cli.main import main
 from understudy.errors import AuthoringError, InputError
@@ -158,12 +159,20 @@ def test_a_performance_uses_them(own: Path) -> None:
     assert not any("WAG" in each.reason for each in played.motion.decisions)
 
 
-def test_files_that_nothing_reads_and_folders_that_are_missing_are_told(own: Path) -> None:
+def test_files_that_nothing_reads_or_can_read_and_folders_that_are_missing_are_told(own: Path) -> None:
     (own / "own.rules").write_text(RULE, encoding="utf-8")
     with laid_over([own]), pytest.raises(AuthoringError) as wrong:
         load_characters()
     (mistake,) = wrong.value.mistakes
     assert str(mistake).startswith(f"{own / 'own.rules'}:1:1: nothing reads a file here")
     assert "files are read from en/, gestures/" in mistake.message
+    (own / "own.rules").unlink()
+    (own / "en" / "lost.yaml").symlink_to("nowhere.yaml")
+    (own / "en" / "plain.yaml").write_text("words: [ta]\n", encoding="utf-8")
+    with laid_over([own]), pytest.raises(AuthoringError, match=r"lost\.yaml:1:1: is no file, nor a link to one"):
+        load_characters()
+    (own / "en" / "lost.yaml").unlink()
+    with laid_over([own]), pytest.raises(AuthoringError, match=r"plain\.yaml:1:1: a file of words begins with"):
+        check_files_in_use()
     with laid_over([own / "gone"]), pytest.raises(InputError, match=r"gone: no such folder"):
         load_characters()

@@ -57,7 +57,7 @@ def _mistakes(predicate: str, line: _TermLine, predicates: Mapping[str, int]) ->
     count = predicates[predicate]
     named = re.findall(r"\{(.*?)\}", line.name)
     for place in (*named, *map(str, line.span)):
-        if not (place.isdecimal() and int(place) < count):
+        if place not in map(str, range(count)):
             yield f"{predicate} has the arguments 0 to {count - 1}, none called {place!r}"
 
 

@@ -1,5 +1,6 @@
 """Loads what words say of size and place: `lexicon/acting/slots.yaml`, with every mistake at its line and column."""
 
+import re
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -90,6 +91,9 @@ class SlotTable:
         return _reached(self.sizes_m, length_m)
 
 
+_COUNTS = frozenset(map(str, range(1, 11)))
+_DEGREES = re.compile(r"-?\d{1,2}", re.ASCII)
+
 _Patterns = Annotated[tuple[str, ...], Field(min_length=1)]
 _Words = Annotated[tuple[str, ...], Field(min_length=1)]
 _Metres = Annotated[float, Field(gt=0, le=1e6)]
@@ -175,9 +179,9 @@ def _value_mistake(slot: str, value: str) -> str | None:
     """What is wrong with the value of a slot; None if nothing is."""
     allowed: set[str] = {NOTHING, *map(str, _CLASSES.get(slot, ()))}
     allowed |= {LENGTH} if slot in ("height", "size", "distance") else {NOUN} if slot == "referent" else set()
-    if value in allowed or (slot == "count" and (value == "number" or (value.isdigit() and 1 <= int(value) <= 10))):
+    if value in allowed or (slot == "count" and (value == "number" or value in _COUNTS)):
         return None
-    if slot == "elevation_deg" and value.removeprefix("-").isdigit() and abs(int(value)) <= 90:
+    if slot == "elevation_deg" and _DEGREES.fullmatch(value) and abs(int(value)) <= 90:
         return None
     return f"{value!r} is no value of {slot}{did_you_mean(value, allowed)}"
 

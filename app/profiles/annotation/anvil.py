@@ -5,6 +5,7 @@ the first and the last (`span`), or one (`singleton`). An `attribute` with the t
 `token` …) is the label; `value-link`s are numbers of elements of another track, such as a phrase's affiliate.
 """
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -15,6 +16,7 @@ from .file_text import number_of, xml_root
 from .mistakes import AnnotationError, AnnotationMistake
 from .tracks import LABELS, Track, TrackSpan, track_name, track_of
 
+_NUMBER = re.compile(r"\d{1,9}", re.ASCII)
 _LABEL_NAMES = ("type", "lexeme", "token", "text", "tag", "name", "rest", "phase")
 """The attribute that is the label, where it is not called as `LABELS` says."""
 
@@ -79,7 +81,7 @@ class _AnvilTracks:
         found = {}
         for attribute, link in self._links[name, number].items():
             known = numbers.get(link.track, {})
-            ends = [known.get(int(each)) if each.isdecimal() else None for each in (link.first, link.last)]
+            ends = [known.get(int(each)) if _NUMBER.fullmatch(each) else None for each in (link.first, link.last)]
             if {(link.track, link.first), (link.track, link.last)} & self._timeless:
                 continue
             if None in ends:

@@ -16,7 +16,8 @@ from typing import Any
 from lark import Lark, Token, Transformer, UnexpectedInput, v_args
 from lark.lark import PostLex
 
-from ...errors import Mistake
+from ...errors import Mistake, shown
+from .arithmetic import LARGEST
 from .tree import (
     ALWAYS,
     NEVER,
@@ -229,7 +230,8 @@ class _TreeBuilder(Transformer[Token, Any]):
         numbers = [part for part in parts if isinstance(part, Token)]
         guards = tuple(part for part in parts if isinstance(part, Guard))
         calls = [part for part in parts if part is not None and not isinstance(part, Guard | Token)]
-        weight = {"always": ALWAYS, "never": NEVER}.get(str(keyword)) or float("".join(numbers))
+        sign = -1 if len(numbers) > 1 else 1
+        weight = {"always": ALWAYS, "never": NEVER}.get(str(keyword)) or sign * self._value(numbers[-1])
         atoms = tuple(self._atom(call, "a behaviour such as small_nod($start, $end)") for call in calls)
         return WeightedCalls(weight, guards, atoms, self.place(keyword))
 
@@ -246,7 +248,16 @@ class _TreeBuilder(Transformer[Token, Any]):
         return Constant(re.sub(r"\\(.)", r"\1", token[1:-1]), self.place(token))
 
     def number(self, token: Token) -> Constant:
-        return Constant(float(token) if "." in token else int(token), self.place(token))
+        value = self._value(token)
+        return Constant(value if "." in token else int(value), self.place(token))
+
+    def _value(self, token: Token) -> float:
+        """The number of a token; 0 with a mistake for one beyond `LARGEST`, which ends all computations."""
+        value = float(token)
+        if value <= LARGEST:
+            return value
+        self.mistakes.append((self.place(token), f"{shown(token)} is beyond {LARGEST:g}"))
+        return 0.0
 
     def alternatives(self, *constants: Constant) -> Alternatives:
         return Alternatives(tuple(constant.value for constant in constants), constants[0].place)

@@ -32,6 +32,8 @@ def load(tmp_path: Path, text: str) -> SlotTable:
         ("  height: [{is: chlid, words: [this tall]}]", (9, 17, "no value of height; did you mean 'child'")),
         ("  height: [{is: child, words: [this <chld>]}]", (9, 32, "no set is called 'chld'")),
         ("  count: [{is: '11', words: [eleven]}]", (9, 16, "'11' is no value of count")),
+        ("  count: [{is: '²', words: [two]}]", (9, 16, "'²' is no value of count")),
+        (f"  count: [{{is: '{'9' * 5000}', words: [many]}}]", (9, 16, "is no value of count")),
     ],
 )
 def test_a_mistake_is_told_with_its_place(tmp_path: Path, slots: str, told: tuple[int, int, str]) -> None:

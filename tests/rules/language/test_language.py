@@ -65,6 +65,8 @@ MISTAKES = [
     ("rule r\nforeach\n  word(a)\nassert\n  @$x", "expected a fact to assert", ""),
     ("rule r\nforeach\n  word(a)\nchoose\n  weight 1\n    @nod", "expected a behaviour such as", ""),
     (f"rule r\nforeach\n  $x = {'(' * 59}1 + @(1{')' * 60}", "more than 60 signs in a line", ""),
+    (f"rule r\nforeach\n  word($w, $s)\n  $s <= @{'9' * 5000}\nassert\n word(a)", "is beyond 1e+15", "9'"),
+    (f"rule r\nforeach\n  word($w)\nchoose\n  weight - @{'9' * 400}\n    nod()", "is beyond 1e+15", "9'"),
     ("@speak($x)\nrule r", "expected `rule NAME` or `predicate NAME(...)`", ""),
 ]
 
