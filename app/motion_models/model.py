@@ -10,6 +10,7 @@ AHG's Table 1, RTS is the thesis.
 
 import io
 import zipfile
+import zlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -145,7 +146,9 @@ class MotionModel:
             if form != FORM:
                 raise ValueError(f"its form is {form}, and {FORM} is read: train it anew")
             return _read(arrays)
-        except (KeyError, ValueError, EOFError, IndexError, zipfile.BadZipFile) as error:
+        except MemoryError:
+            raise InputError("motion_model", f"{name}: has more than fits into memory", field="motion_model") from None
+        except (KeyError, ValueError, TypeError, EOFError, IndexError, zipfile.BadZipFile, zlib.error) as error:
             message = f"{name}: no motion model, which understudy motion-model train writes: {error}"
             raise InputError("motion_model", message, field="motion_model") from None
 
@@ -202,6 +205,7 @@ def _arrays(model: MotionModel) -> Iterator[tuple[str, NDArray[Any]]]:
 def _read(arrays: Mapping[str, FloatArray]) -> MotionModel:
     joints = tuple(map(str, arrays["joints"]))
     numbers = {name: array.astype(np.float64) for name, array in arrays.items() if array.dtype.kind in "fi"}
+    _check(numbers, len(joints))
     kinds = len(numbers["log_initial"])
     emissions: dict[str, Emissions] = {
         name: MixtureEmissions(*(numbers[f"{name}/{part}"] for part in ("log_weights", "means", "variances")))
@@ -223,6 +227,22 @@ def _read(arrays: Mapping[str, FloatArray]) -> MotionModel:
         intonation=ParallelBranches(numbers["intonation_means"], numbers["intonation_variances"]),
         units=tuple(_units(joints, numbers)),
     )
+
+
+def _check(numbers: Mapping[str, FloatArray], joints: int) -> None:
+    """Raises ValueError for arrays that do not go together, and numbers that are none; only logarithms may be -inf."""
+    for name, array in numbers.items():
+        is_logarithm = name.rpartition("/")[2].startswith("log_")
+        if not np.isfinite(np.where(array == -np.inf, 0.0, array) if is_logarithm else array).all():
+            raise ValueError(f"{name} has numbers that are none")
+    kinds, motion, states = len(numbers["log_initial"]), numbers["motion"], numbers["unit_state"]
+    by_kind = [each for name, each in numbers.items() if name.startswith("log_") or "/" in name]
+    if numbers["log_transition"].shape != (kinds, kinds) or any(len(each) != kinds for each in by_kind):
+        raise ValueError("its tables do not have one row for each kind")
+    if motion.shape != (len(motion), joints, 4) or not motion.any(axis=2).all():
+        raise ValueError("its motion is no rotation of each joint")
+    if not (states >= 0).all() or not (states < kinds).all() or not (numbers["unit_frames"] >= 1).all():
+        raise ValueError("its units have no kind or no frame")
 
 
 def _units(joints: tuple[str, ...], numbers: Mapping[str, FloatArray]) -> Iterator[MotionUnit]:

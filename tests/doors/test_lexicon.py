@@ -167,9 +167,10 @@ def test_files_that_nothing_reads_or_can_read_and_folders_that_are_missing_are_t
     assert str(mistake).startswith(f"{own / 'own.rules'}:1:1: nothing reads a file here")
     assert "files are read from en/, gestures/" in mistake.message
     (own / "own.rules").unlink()
+    (own / "en").mkdir(exist_ok=True)
     (own / "en" / "lost.yaml").symlink_to("nowhere.yaml")
     (own / "en" / "plain.yaml").write_text("words: [ta]\n", encoding="utf-8")
-    with laid_over([own]), pytest.raises(AuthoringError, match=r"lost\.yaml:1:1: is no file, nor a link to one"):
+    with laid_over([own]), pytest.raises(AuthoringError, match=r"nowhere\.yaml:1:1: is no file, nor a link to one"):
         load_characters()
     (own / "en" / "lost.yaml").unlink()
     with laid_over([own]), pytest.raises(AuthoringError, match=r"plain\.yaml:1:1: a file of words begins with"):
