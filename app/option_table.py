@@ -263,7 +263,7 @@ MOTION = _table(
         ),
         Option(
             "bap_version",
-            "who plays BAP files: players of MPEG-4 (3.1), or Greta (2.1), with other signs and order",
+            "who plays BAP and FAP files: players of MPEG-4 (3.1), or Greta (2.1), with other signs and order",
             default=BapVersion.MPEG4,
             choices=tuple(BapVersion),
         ),

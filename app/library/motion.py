@@ -21,6 +21,7 @@ from ..realization import (
     realize_prepared,
 )
 from ..realization import write_motion as write_realized
+from ..realization.mpeg4 import read_mpeg4
 from ..realizer.body.motion import Decision
 from ..schemas.options import RealizeOptions, check_realize_options
 from ..settings import read_settings
@@ -38,6 +39,7 @@ __all__ = [
     "RealizedSchedule",
     "Realizer",
     "prepare_schedule",
+    "read_mpeg4",
     "realize",
     "realize_bml",
     "realize_prepared",

@@ -33,6 +33,23 @@ def beat(tmp_path: Path) -> Path:
     return path
 
 
+def test_mpeg4_parameters_are_read_back_as_motion(capfdbinary: Captured, tmp_path: Path, beat: Path) -> None:
+    """Body and face come back to the same files, within a unit; the body goes to a picture and an avatar's clip too."""
+    bap, fap, again = tmp_path / "a.bap", tmp_path / "a.fap", tmp_path / "b.bap"
+    written = ("-o", str(bap), "-o", str(fap), "--fps", "30")
+    assert _run(capfdbinary, "realize", str(beat), *written)[0] == 0
+    outputs = [part for name in ("b.bap", "b.bvh", "b.glb") for part in ("-o", str(tmp_path / name))]
+    code, err = _run(capfdbinary, "realize", str(bap), "--fap", str(fap), *outputs)
+    assert (code, err) == (0, "")
+    assert (tmp_path / "b.bvh").read_bytes().startswith(b"HIERARCHY")
+    lines = zip(bap.read_text().splitlines()[2::2], again.read_text().splitlines()[2::2], strict=True)
+    values = [(list(map(int, one.split())), list(map(int, other.split()))) for one, other in lines]
+    assert max(abs(one - other) for row in values for one, other in zip(*row, strict=True)) <= 1
+    bap.write_bytes(bap.read_bytes()[:5000])
+    code, err = _run(capfdbinary, "realize", str(bap), "-o", str(tmp_path / "c.bvh"))
+    assert (code, "the file ends" in err, (tmp_path / "c.bvh").exists()) == (2, True, False)
+
+
 def test_one_schedule_goes_to_every_format_named(capfdbinary: Captured, tmp_path: Path, beat: Path) -> None:
     names = [tmp_path / f"a{ending}" for ending in (".bvh", ".glb", ".vrma", ".json", ".csv", ".visemes.txt")]
     outputs = [part for name in names for part in ("-o", str(name))]

@@ -83,7 +83,11 @@ def add_realize(add: Adding) -> None:
         "bml",
         metavar="FILE.bml",
         type=InputFile,
-        help="BML 1.0 core or SmartBody's, or the gesture script of understudy script; - for standard input",
+        help="BML 1.0 core or SmartBody's, the gesture script of understudy script, or MPEG-4 parameters (.bap, .fap); "
+        "- for standard input",
+    )
+    parser.add_argument(
+        "--fap", metavar="FILE.fap", type=InputFile, help="the face of a body that is read from FILE.bap"
     )
     parser.add_argument(
         "--audio", metavar="AUDIO", type=InputFile, help="the recording of its speech, for lips and words"

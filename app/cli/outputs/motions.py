@@ -85,19 +85,30 @@ def write_motions(
 ) -> None:
     """Realizes the schedule once, `moving` by a motion model if there is one, and writes it to every name; decisions
     are logged. Files refer to the recording by its path relative to them."""
-    from ...library.motion import AvatarOptions, write_realized
-
     realizer = load_realizer()
     log.stage("realize")
     realized = _realized(realizer, staged, options, moving)
     log.warnings(realized.motion.notices[len(staged.notices) :])
     log.stage("export")
+    export_motions(names, realized, realizer, options, audio)
+    if realized.motion.decisions:
+        log.note("\n".join(_told(decision) for decision in realized.motion.decisions))
+
+
+def export_motions(
+    names: Sequence[str],
+    realized: RealizedSchedule,
+    realizer: Realizer,
+    options: MotionOptions,
+    audio: AudioFile | None,
+) -> None:
+    """Writes a motion to every name."""
+    from ...library.motion import AvatarOptions, write_realized
+
     wearer = AvatarOptions(options.skeleton, options.avatar)
     for name in names:
         files = replace(options.files, audio=audio and _from(name, audio))
         write(name, write_realized(realized, realizer, format_of(name), wearer, files))
-    if realized.motion.decisions:
-        log.note("\n".join(_told(decision) for decision in realized.motion.decisions))
 
 
 def _realized(

@@ -37,8 +37,8 @@ class Keys(StrEnum):
 
 
 class BapVersion(StrEnum):
-    """Whose MPEG-4 body parameters, by the version in their first line: MPEG-4's, or Greta's, with the signs and
-    the order of its skeleton."""
+    """Who plays MPEG-4 parameters, by the version in the first line of a body's file: MPEG-4's players, or Greta, with
+    the signs and the order of its skeleton and one number for each parameter of the face."""
 
     MPEG4 = "3.1"
     GRETA = "2.1"

@@ -10,7 +10,7 @@ world's there (X to its left, Y up, Z forward). Our spine has three joints, whic
 neck is C4.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
@@ -18,10 +18,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from ...errors import InputError
 from ...model import FloatArray
 from ..gestures.hand_shapes import THUMB_HINGE
 
 NAME = "understudy"
+MOST_RATE_HZ = 1000
 
 SIDES = (("l", "left"), ("r", "right"))
 _PAIRED = (
@@ -71,9 +73,21 @@ FAPS: tuple[str, ...] = (
 """The 68 face animation parameters in the order of their columns."""
 
 
+FIELDS: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        "viseme": ("viseme_select1", "viseme_select2", "viseme_blend", "viseme_def"),
+        "expression": (
+            *("expression_select1", "expression_intensity1", "expression_select2", "expression_intensity2"),
+            *("init_face", "expression_def"),
+        ),
+    }
+)
+"""The integers of parameters that have several; all others have one."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Parameters:
-    """The integers (T, N) of the parameters that are set, by name."""
+    """The integers (T, N) of the parameters that are set, by name; one with several stands as often, in their order."""
 
     names: tuple[str, ...]
     values: NDArray[np.int64]
@@ -87,6 +101,64 @@ def parameter_file(version: str, ending: str, rate_hz: int, every: tuple[str, ..
     for frame, row in enumerate(found.values[:, order].tolist()):
         lines += [mask, " ".join(map(str, (frame, *row)))]
     return ("\n".join(lines) + "\n").encode()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ReadParameters:
+    """A file: its version, its rate, and the numbers (T,) of each parameter that it sets anywhere, by name; those with
+    several by the names of `FIELDS`. Where a frame does not set one, it stays as it was, 0 at first."""
+
+    version: str
+    rate_hz: float
+    frames: int
+    numbers: Mapping[str, FloatArray]
+
+
+def read_parameter_file(content: bytes, every: tuple[str, ...], name: str) -> ReadParameters:
+    """A file of the parameters `every`; raises InputError `mpeg4_wrong` with the line that cannot be read."""
+    lines = [line.split() for line in content.decode("latin-1").splitlines() if line.strip()]
+    version, rate_hz, frames = _first_line(lines[0] if lines else [], name)
+    if len(lines) < 1 + 2 * frames:
+        raise _unreadable(name, len(lines), f"the file ends; the first line tells {frames} frames of two lines")
+    rows, now = [], dict[str, float]()
+    for frame in range(frames):
+        place = 1 + 2 * frame
+        now |= _frame(lines[place], lines[place + 1], every, f"{name}:{place + 1}")
+        rows.append(dict(now))
+    found = {key: np.array([row.get(key, 0.0) for row in rows]) for key in now}
+    return ReadParameters(version, rate_hz, frames, found)
+
+
+def _first_line(told: Sequence[str], name: str) -> tuple[str, float, int]:
+    try:
+        version, _name, rate, count = told
+        rate_hz, frames = float(rate), int(count)
+    except ValueError:
+        raise _unreadable(name, 1, "the first line is VERSION NAME FRAMES-A-SECOND FRAMES") from None
+    if not (0 < rate_hz <= MOST_RATE_HZ and frames > 0):
+        raise _unreadable(name, 1, f"{rate} frames a second, {count} frames; give 1 to {MOST_RATE_HZ}, and 1 or more")
+    return version, rate_hz, frames
+
+
+def _frame(mask: Sequence[str], told: Sequence[str], every: tuple[str, ...], place: str) -> dict[str, float]:
+    if len(mask) != len(every) or set(mask) - {"0", "1"}:
+        raise InputError("mpeg4_wrong", f"{place}: a mask of {len(every)} columns of 0 or 1 is expected", field="bml")
+    names = [name for name, is_set in zip(every, mask, strict=True) if is_set == "1"]
+    fields = [field for name in names for field in FIELDS.get(name, (name,))]
+    if len(told) - 1 == len(names):  # one number for each, as some write visemes and expressions too
+        fields = [FIELDS[name][0] if name in FIELDS else name for name in names]
+    try:
+        numbers = [float(number) for number in told[1:]]
+    except ValueError:
+        numbers = []
+    if len(numbers) != len(fields) or not np.isfinite(numbers).all():
+        message = f"{place}: {len(told) - 1} numbers follow the mask, which asks for {len(fields)}"
+        raise InputError("mpeg4_wrong", message, field="bml")
+    return dict(zip(fields, numbers, strict=True))
+
+
+def _unreadable(name: str, line: int, message: str) -> InputError:
+    return InputError("mpeg4_wrong", f"{name}:{line}: {message}", field="bml")
 
 
 TRUNK: Mapping[str, str] = MappingProxyType(

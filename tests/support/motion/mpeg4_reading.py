@@ -13,6 +13,10 @@ from scipy.spatial.transform import Rotation
 from understudy.model import FloatArray
 
 RAD = 1e-5
+FACE_COLUMNS = 68
+SEVERAL = {0: 4, 1: 6}
+"""How many numbers FAP 1 (two visemes, blend, def) and FAP 2 (two expressions with intensities, init, def) have."""
+
 COLUMNS = {"sacroiliac": 1, "hip": 4, "knee": 10, "ankle": 14, "subtalar": 18, "toe": 22, "clavicle": 24}
 COLUMNS |= {"shoulder": 32, "elbow": 38, "wrist": 42, "skullbase": 48, "vc4": 60, "vt6": 87, "vt10": 99, "vl3": 114}
 COLUMNS |= {"pinky": 123, "ring": 135, "middle": 147, "index": 159, "thumb": 171, "place": 181, "root": 184}
@@ -31,6 +35,8 @@ class ParameterFile:
     rate_hz: int
     masks: np.ndarray[tuple[int, int], np.dtype[np.int64]]
     values: np.ndarray[tuple[int, int], np.dtype[np.int64]]
+    several: list[dict[int, list[int]]]
+    """All numbers of each set column, frame by frame."""
 
 
 def read_parameters(content: bytes) -> ParameterFile:
@@ -38,13 +44,19 @@ def read_parameters(content: bytes) -> ParameterFile:
     version, name, rate, count = first.split()
     assert len(rows) == 2 * int(count)
     masks = np.array([[int(bit) for bit in row.split()] for row in rows[::2]])
-    values = np.zeros_like(masks)
+    values, several = np.zeros_like(masks), []
     for frame, row in enumerate(rows[1::2]):
         number, *told = map(int, row.split())
         assert number == frame
-        assert len(told) == masks[frame].sum()
-        values[frame, masks[frame] == 1] = told
-    return ParameterFile(version, name, int(rate), masks, values)
+        set_ones = np.flatnonzero(masks[frame])
+        counts = [SEVERAL.get(column, 1) if masks.shape[1] == FACE_COLUMNS else 1 for column in set_ones]
+        assert len(told) == sum(counts)
+        starts = np.cumsum([0, *counts[:-1]])
+        values[frame, set_ones] = np.array(told)[starts]
+        several.append(
+            {column: told[start : start + count] for column, start, count in zip(set_ones, starts, counts, strict=True)}
+        )
+    return ParameterFile(version, name, int(rate), masks, values, several)
 
 
 class Body:
