@@ -1,7 +1,7 @@
 """Motion from data: models learnt from recordings with motion, and motion made by them (docs/motion-models.md)."""
 
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
@@ -10,17 +10,21 @@ from ..acoustic.contours import contours_of
 from ..acoustic.signal.decoding import decode
 from ..acoustic.stage import audio_limits
 from ..errors import InputError, did_you_mean, shown
-from ..model import AffectTrack, Analysis, Performance
+from ..model import FRAME_SHIFT_S, AffectTrack, Analysis, Performance
 from ..model.progress import Progress, no_progress
 from ..models import Understudy
 from ..motion_models.affect import LinearAffectModel
 from ..motion_models.model import SCENARIOS, MotionModel, Scenario, is_model
 from ..motion_models.pairs import SOUNDS, Pair, PairFile, Voice, heard_voice, read_pair
-from ..motion_models.performing import laid_over, move, replaced_behaviors
+from ..motion_models.performing import laid_over, move, move_at_random, replaced_behaviors
+from ..motion_models.playing import played
 from ..motion_models.scoring import Scores, left_out_trials, scored
 from ..motion_models.training import Learning, learn
+from ..prosody_gestures.semi_markov import FRAME_S
 from ..prosody_gestures.trellis import EVERYTHING, Search
 from ..realization import PreparedSchedule, RealizedSchedule, Realizer, realize_prepared
+from ..realizer.body.motion import Motion
+from ..realizer.body.skeleton import Skeleton
 from ..resources import resource_folder
 from ..schemas.affect import read_affect_track
 from ..schemas.options import check_options, check_realize_options
@@ -42,7 +46,9 @@ __all__ = [
     "read_motion_model",
     "read_pairs",
     "realize_by_model",
+    "realize_drawn",
     "realize_moving",
+    "realize_played",
     "scenario_named",
     "score_motion_models",
     "train_motion_model",
@@ -221,10 +227,65 @@ def realize_moving(
     realizer: Realizer, prepared: PreparedSchedule, moving: Moving, *, frame_rate_hz: int = 60, tail_s: float = 0.0
 ) -> RealizedSchedule:
     """The motion of a schedule whose arms, and whatever else the model has learnt, move as in its recordings."""
-    schedule, told = replaced_behaviors(moving.model, prepared.schedule)
+
+    def moved(motion: Motion, skeleton: Skeleton) -> Motion:
+        return laid_over(motion, move(moving.model, moving.voice, moving.scenario, moving.search), skeleton)
+
+    return _realized(realizer, prepared, moving.model, moved, frame_rate_hz=frame_rate_hz, tail_s=tail_s)
+
+
+def realize_played(
+    realizer: Realizer,
+    prepared: PreparedSchedule,
+    model: MotionModel,
+    analysis: Analysis,
+    *,
+    frame_rate_hz: int = 60,
+    tail_s: float = 0.0,
+) -> RealizedSchedule:
+    """The same as `understudy live --model` plays it, while the recording goes on."""
+    assert analysis.heard is not None, "a recording is heard"
+    contours = analysis.heard.contours
+
+    def moved(motion: Motion, skeleton: Skeleton) -> Motion:
+        return played(model, motion, contours, skeleton)
+
+    return _realized(realizer, prepared, model, moved, frame_rate_hz=frame_rate_hz, tail_s=tail_s)
+
+
+def realize_drawn(
+    realizer: Realizer,
+    prepared: PreparedSchedule,
+    model: MotionModel,
+    analysis: Analysis,
+    *,
+    seed: int,
+    frame_rate_hz: int = 60,
+    tail_s: float = 0.0,
+) -> RealizedSchedule:
+    """The same by units that are drawn whatever is said (RTS §3.2)."""
+    assert analysis.heard is not None, "a recording is heard"
+    frames = round(len(analysis.heard.contours.energy_db) * FRAME_SHIFT_S / FRAME_S)
+
+    def moved(motion: Motion, skeleton: Skeleton) -> Motion:
+        return laid_over(motion, move_at_random(model, frames, seed), skeleton)
+
+    return _realized(realizer, prepared, model, moved, frame_rate_hz=frame_rate_hz, tail_s=tail_s)
+
+
+def _realized(
+    realizer: Realizer,
+    prepared: PreparedSchedule,
+    model: MotionModel,
+    moved: Callable[[Motion, Skeleton], Motion],
+    *,
+    frame_rate_hz: int,
+    tail_s: float,
+) -> RealizedSchedule:
+    """The schedule as it is realized otherwise, with the motion of a model in it."""
+    schedule, told = replaced_behaviors(model, prepared.schedule)
     usual = realize_prepared(realizer, replace(prepared, schedule=schedule), frame_rate_hz=frame_rate_hz, tail_s=tail_s)
-    moved = move(moving.model, moving.voice, moving.scenario, moving.search)
-    motion = laid_over(usual.motion, moved, realizer.performer(schedule.character).skeleton)
+    motion = moved(usual.motion, realizer.performer(schedule.character).skeleton)
     return RealizedSchedule(schedule, replace(motion, decisions=(*motion.decisions, *told)))
 
 

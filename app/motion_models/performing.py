@@ -21,7 +21,7 @@ from ..realizer.geometry.rotations import nearest_sign, normalized, slerp
 from .bodies import BodyTrack, resampled
 from .model import MotionModel, Scenario
 from .pairs import Voice
-from .unit_selection import LEAD_OVER_S, motion_of, select
+from .unit_selection import LEAD_OVER_S, MotionUnit, motion_of, select
 
 _MOVED_BY = {Channel.HEAD: "head", Channel.POSTURE: "spine"}
 """The joint whose motion replaces a channel's behaviours; gestures are always replaced."""
@@ -42,6 +42,16 @@ def move(model: MotionModel, voice: Voice, scenario: Scenario, search: Search = 
     wanted = np.array([voice.affect[each.start : each.end].mean(axis=0) for each in path]).reshape(-1, 3)
     units = select(path, wanted, model.pool(), scenario.weights)
     return UnitMotion(path, model.joints, motion_of(path, units))
+
+
+def move_at_random(model: MotionModel, frames: int, seed: int) -> UnitMotion:
+    """Units drawn from the pool one after the other, whatever is said (RTS §3.2's random animation)."""
+    drawn, path, units = np.random.default_rng(seed), list[Segment](), list[MotionUnit]()
+    while not path or path[-1].end < frames:
+        unit, start = model.units[drawn.integers(len(model.units))], path[-1].end if path else 0
+        units.append(unit)
+        path.append(Segment(unit.state, start, start + len(unit.rotations)))
+    return UnitMotion(tuple(path), model.joints, motion_of(path, units)[:frames])
 
 
 def replaced_behaviors(model: MotionModel, schedule: Schedule) -> tuple[Schedule, tuple[Decision, ...]]:

@@ -8,22 +8,38 @@ kind follows. Affect is not heard live.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..model import FRAME_SHIFT_S, FloatArray
+from ..model import FRAME_SHIFT_S, Contours, FloatArray
 from ..prosody_gestures.live_decoder import LiveDecoder
 from ..prosody_gestures.live_gestures import COMMITMENT, Announcing
 from ..prosody_gestures.prosody import HALF_WINDOW_S, ProsodyNormalizer, raw_frame, whole_frames
 from ..prosody_gestures.semi_markov import FRAME_S
 from ..prosody_gestures.trellis import EVERYTHING, Search
+from ..realizer.arms.collisions import resolve_collisions
+from ..realizer.body.motion import BodyMotion, Motion
+from ..realizer.body.skeleton import Skeleton
 from ..realizer.geometry.rotations import nearest_sign, normalized
 from .model import THESIS_ALPHA, MotionModel, arm_angles
 from .pairs import Voice
 from .unit_selection import MotionUnit, led_over
 
 AFFECTS = 3
+
+
+def played(model: MotionModel, motion: Motion, voice: Contours, skeleton: Skeleton) -> Motion:
+    """The motion with the joints of the model as they are played to this voice while it goes on."""
+    player, at, heard = UnitPlayer(model), np.array(skeleton.chain(*model.joints)), 0
+    rotations = motion.body.rotations.copy()
+    for place, at_s in enumerate(motion.body.times_s - motion.lead_in_s):
+        until = min(max(heard, int(at_s / FRAME_SHIFT_S)), len(voice.energy_db))
+        player.hear(voice.energy_db[heard:until], voice.f0_hz[heard:until])
+        heard = until
+        rotations[place, at] = player.pose(rotations[place, at], float(at_s))
+    body, moved_out = resolve_collisions(skeleton, BodyMotion(motion.body.times_s, rotations, motion.body.hips_m))
+    return replace(motion, body=body, decisions=(*motion.decisions, *moved_out))
 
 
 @dataclass(frozen=True, slots=True)

@@ -76,10 +76,77 @@ def test_a_study_is_made_of_a_folder_and_its_key_tells_the_clips(capfdbinary: Ca
     assert not again & made
 
 
+def _lines(folder: Path, *names: str) -> Path:
+    """The bundled line under these names."""
+    folder.mkdir()
+    for name in names:
+        for suffix in (".flac", ".txt"):
+            content = (resource_folder("examples") / f"example{suffix}").read_bytes()
+            (folder / f"{name}{suffix}").write_bytes(content)
+    return folder
+
+
+def test_ways_from_a_voice_to_motion_are_made_answered_and_scored(capfdbinary: Captured, tmp_path: Path) -> None:
+    """As a researcher would, by the thesis' plan: each two ways twice and one clip twice, in seven rounds."""
+    lines, out = _lines(tmp_path / "lines", "one"), tmp_path / "out"
+    code, _, err = _run(capfdbinary, "study", "make", str(lines), "--out", str(out), "--compare", "ways")
+    assert code == 0
+    assert "7 rounds" in err
+    assert "take 15 raters if it is large (d = 0.8), 34 if medium (0.5)" in err
+    key = dict(row.split(",one,") for row in (out / "key.csv").read_text().splitlines()[1:])
+    assert sorted(key.values()) == ["live", "offline", "offline", "random"]
+    page = (out / "page" / "index.html").read_text(encoding="utf-8")
+    plan = json.loads(page.partition('id="plan">')[2].partition("</script>")[0])
+    shown = [tuple(sorted(key[clip] for clip in each["clips"])) for each in plan["lines"]]
+    assert sorted(set(shown)) == [
+        ("live", "offline"),
+        ("live", "random"),
+        ("offline", "offline"),
+        ("offline", "random"),
+    ]
+    worth = {"offline": 1, "live": 0, "random": -1}
+    answers = "rater,group,trial,a,b,preference\n"
+    for rater in range(6):
+        for trial, (a, b) in enumerate(each["clips"] for each in plan["lines"]):
+            liked = worth[key[b]] - worth[key[a]] if rater < 5 else 0
+            answers += f"{rater},{'US' if rater % 2 else 'DE'},{trial},{a},{b},{liked}\n"
+    (out / "answers.csv").write_text(answers)
+    report = tmp_path / "report.json"
+    code, told, err = _run(capfdbinary, "study", "score", str(out / "answers.csv"), "-o", str(report))
+    assert (code, err) == (0, "")
+    assert "| offline versus random | 12      | -1.67" in told
+    assert "| offline twice" in told
+    assert "Groups of raters (Mann-Whitney)" in told
+    pairs = {(each["first"], each["second"]): each for each in json.loads(report.read_text())["pairs"]}
+    assert pairs["offline", "random"]["mean"] == pytest.approx(-10 / 6)
+    assert pairs["offline", "live"]["test"]["t"] == pytest.approx(-5.0)
+
+
+def test_speakers_are_made_and_their_recognition_is_scored(capfdbinary: Captured, tmp_path: Path) -> None:
+    lines, out = _lines(tmp_path / "lines", "one", "two"), tmp_path / "out"
+    code, _, err = _run(capfdbinary, "study", "make", str(lines), "--out", str(out), "--compare", "speakers")
+    assert code == 0, err
+    rows = [row.split(",") for row in (out / "key.csv").read_text().splitlines()[1:]]
+    clips = {condition: clip for clip, line, condition in rows if line == "two"}
+    answers = "rater,clip,beside,answer\n" + "".join(
+        f"{rater},{clips['sparing']},,{'sparing' if rater < 7 else 'sweeping'}\n"
+        f"{rater},{clips['sweeping']},{clips['sparing']},sweeping\n"
+        for rater in range(10)
+    )
+    (out / "answers.csv").write_text(answers)
+    code, told, err = _run(capfdbinary, "study", "score", str(out / "answers.csv"))
+    assert (code, err) == (0, "")
+    assert "| 1, seen alone   | 10      | 70 %  | 50 %" in told
+    assert "| 2, side by side | 10      | 100 %" in told
+
+
 @pytest.mark.parametrize(
     ("arguments", "told"),
     [
         (("--profile", "sweeping"), "leave it out, or --compare units"),
+        (("--motion-model", "default"), "only --compare ways"),
+        (("--compare", "speakers", "--profile", "sweeping"), "give two profiles"),
+        (("--compare", "affect", "--motion-model", "none.npz"), "none.npz: cannot be read"),
         (("--compare", "units", "--profile", "nobody"), "nobody"),
         (("--character", "nobody"), "nobody"),
         ((), "no recordings in it"),

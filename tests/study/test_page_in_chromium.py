@@ -1,7 +1,11 @@
 """The page of a study in a browser, opened from the disk: two clips are seen, judged, saved, and scored."""
 
+import json
+import re
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Page, ViewportSize
@@ -83,7 +87,7 @@ def test_ratings_are_asked_when_all_clips_are_seen_and_saved_as_they_were_given(
     page.locator("input[name=best][value='1']").check()
     page.locator("input[name=worst][value='1']").check()
     page.get_by_role("button", name="Next").click()
-    assert page.get_by_role("heading", name="Line 1 of 1").is_visible(), "the best cannot be the worst as well"
+    assert page.get_by_role("heading", name="Round 1 of 1").is_visible(), "the best cannot be the worst as well"
     page.locator("input[name=worst][value='0']").check()
     page.get_by_role("button", name="Next").click()
     answers = read_answers([_saved(page, tmp_path)], studies[Comparison.MODES] / "key.csv").ratings
@@ -108,12 +112,48 @@ def test_versions_are_compared_with_the_face_hidden_and_what_was_answered_is_kep
     page.locator("input[name=understood][value='3']").check()
     page.get_by_role("button", name="Next").click()
     page.reload()
-    assert page.get_by_text("has answered 1 of 1 lines").is_visible()
+    assert page.get_by_text("has answered 1 of 1 rounds").is_visible()
     page.get_by_role("button", name="Begin").click()
     found = read_answers([_saved(page, tmp_path)], studies[Comparison.UNITS] / "key.csv")
     assert len({each.chosen for each in found.verdicts if each.chosen is not None}) == 1
     assert [each.dimension for each in found.verdicts if each.chosen is None] == ["competent"]
     assert [each.level for each in found.understood] == [3]
+
+
+def test_pairs_are_preferred_and_speakers_named(studies: dict[Comparison, Path], page: Page, tmp_path: Path) -> None:
+    """The pages of these comparisons, made from the clips of the other study."""
+    pairs = _with_plan(studies[Comparison.UNITS], tmp_path / "ways", {"comparison": "ways"})
+    page.goto(_address(pairs, rater=1))
+    page.get_by_role("button", name="Begin").click()
+    for letter in "AB":
+        page.get_by_role("button", name=f"Play {letter}").click()
+        _see_to_the_end(page)
+    page.get_by_label("B much better").check()
+    page.get_by_role("button", name="Next").click()
+    rows = _saved(page, tmp_path).read_text().splitlines()
+    assert rows[0] == "rater,trial,a,b,preference"
+    assert rows[1].endswith(",2")
+    (shown,) = _plan(studies[Comparison.UNITS])["lines"]
+    training = [{**shown, "speaker": name, "clips": [clip]} for name, clip in zip("XY", shown["clips"], strict=True)]
+    speakers = _with_plan(
+        studies[Comparison.UNITS],
+        tmp_path / "speakers",
+        {"name": "speakers", "comparison": "speakers", "training": training},
+    )
+    page.goto(_address(speakers, rater=1))
+    page.get_by_role("button", name="Begin").click()
+    for played in (["X", "Y"], ["A"], ["A", "B"]):
+        for name in played:
+            page.get_by_role("button", name=f"Play {name}").click()
+            _see_to_the_end(page)
+        if played[0] == "A":
+            page.get_by_label("Y", exact=True).check()
+        page.get_by_role("button", name="Next").click()
+    rows = _saved(page, tmp_path).read_text().splitlines()
+    first, second = (row.split(",") for row in rows[1:])
+    assert rows[0] == "rater,trial,clip,beside,answer"
+    assert (first[3], first[4], second[4]) == ("", "Y", "Y")
+    assert {second[2], second[3]} == set(shown["clips"])
 
 
 def test_nothing_on_the_page_tells_what_is_what(studies: dict[Comparison, Path]) -> None:
@@ -125,6 +165,25 @@ def test_nothing_on_the_page_tells_what_is_what(studies: dict[Comparison, Path])
     for name, content in files.items():
         told = (name + content.decode("latin-1")).casefold()
         assert not any(word in told for word in ("semantic", "prosody", "drawn by chance", "gesture1", "example"))
+
+
+_PLAN = re.compile(r'(<script type="application/json" id="plan">)(.*?)(</script>)')
+
+
+def _plan(study: Path) -> Any:  # noqa: ANN401
+    found = _PLAN.search((study / "page" / "index.html").read_text(encoding="utf-8"))
+    assert found
+    return json.loads(found[2])
+
+
+def _with_plan(study: Path, folder: Path, changes: dict[str, object]) -> Path:
+    """A study of the same clips whose plan differs by these changes."""
+    shutil.copytree(study, folder)
+    text = (study / "page" / "index.html").read_text(encoding="utf-8")
+    plan = json.dumps(_plan(study) | changes)
+    page = _PLAN.sub(lambda found: f"{found[1]}{plan}{found[3]}", text)
+    (folder / "page" / "index.html").write_text(page, encoding="utf-8")
+    return folder
 
 
 def _see_to_the_end(page: Page) -> None:

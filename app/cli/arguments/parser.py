@@ -135,8 +135,16 @@ def _add_make(make: argparse.ArgumentParser) -> None:
         "--compare",
         choices=[each.value for each in Comparison],
         default=Comparison.MODES.value,
-        help="gestures from meaning, stress and chance (default), or gestures in units and single ones",
+        help="modes: gestures from meaning, stress and chance (default); units: gestures in units and single ones; "
+        "ways: a motion model for the whole recording, live, at random; affect: driven by voice, affect or both; "
+        "speakers: two profiles, to be recognised",
     )
-    make.add_argument("--profile", metavar="P", help="of units: whose gestures, as in perform (default sweeping)")
+    make.add_argument(
+        "--profile",
+        metavar="P",
+        action="append",
+        help="of units: whose gestures, as in perform (default sweeping); of speakers twice (sparing, sweeping)",
+    )
+    make.add_argument("--motion-model", metavar="M", help="of ways and affect (default: the shipped one)")
     add_options(make, PERFORMANCE, "character")
     make.add_argument("--seed", type=int, default=0, help="another number draws other gestures and orders (default 0)")

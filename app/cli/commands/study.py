@@ -1,10 +1,13 @@
 """`understudy study`: repeats the papers' comparisons with one's own lines, and computes the statistics of the
 answers."""
 
+from __future__ import annotations
+
 import argparse
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path, PurePath
+from typing import TYPE_CHECKING
 
 from ...errors import InputError
 from ...library.checks import check_character
@@ -12,14 +15,18 @@ from ...model import Notice
 from ...options import Options
 from ...profiles.profile import Profile
 from ...settings import read_settings
-from ...study.comparison import KEY_NAME, Comparison
+from ...study.comparison import CONDITIONS, KEY_NAME, PAIRED, Comparison
 from ...study.request import PAGE_FOLDER, StudyRequest, StudySource
 from ..files import require_writable, write, write_standard
 from ..inputs.options import optional_profile
 from ..log import Log
 
+if TYPE_CHECKING:
+    from ...library.motion_models import MotionModel
+
 REPORTS = (".json", ".md")
 USUAL_PROFILE = "sweeping"
+USUAL_SPEAKERS = ("sparing", "sweeping")
 
 
 def run(arguments: argparse.Namespace, log: Log) -> int:
@@ -31,16 +38,20 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 def _make(arguments: argparse.Namespace, log: Log) -> None:
     comparison = Comparison(arguments.compare)
     options = Options(character=arguments.character, seed=arguments.seed, profile=_profile(arguments, comparison))
+    speakers, model = _speakers(arguments, comparison), _model(arguments, comparison)
     check_character(options.character)
     source = StudySource(Path(arguments.lines), arguments.audio and Path(arguments.audio), Path(arguments.out))
-    request = StudyRequest(source, comparison, options)
+    request = StudyRequest(source, comparison, options, model, speakers)
     from ...models import Understudy  # imported late: arguments are checked before the models load
     from ...study.making.making import make_study
 
     with Understudy.load(read_settings()) as understudy:
-        lines = make_study(request, understudy, partial(_line_made, log))
+        rounds = make_study(request, understudy, partial(_line_made, log))
     page = source.out / PAGE_FOLDER
-    log.note(f"{page}: {lines} lines; give this folder to raters, who open index.html; keep {KEY_NAME} beside it")
+    log.note(f"{page}: {rounds} rounds; give this folder to raters, who open index.html; keep {KEY_NAME} beside it")
+    from ...study.power import plan_told
+
+    log.note(plan_told(comparison, len(CONDITIONS[comparison])))
 
 
 def _line_made(log: Log, told: str, notices: Sequence[Notice]) -> None:
@@ -50,11 +61,36 @@ def _line_made(log: Log, told: str, notices: Sequence[Notice]) -> None:
 
 def _profile(arguments: argparse.Namespace, comparison: Comparison) -> Profile | str | None:
     """Raises InputError `usage` for a profile in a comparison that does not use one."""
-    if comparison is Comparison.UNITS:
-        return optional_profile(arguments.profile or USUAL_PROFILE)
-    if arguments.profile is not None:
-        raise InputError("usage", "--profile: stress and chance have no profile; leave it out, or --compare units")
+    named = arguments.profile or []
+    if comparison is Comparison.UNITS and len(named) < 2:
+        return optional_profile(named[0] if named else USUAL_PROFILE)
+    if named and comparison is not Comparison.SPEAKERS:
+        told = "leave it out, or --compare units with one, or --compare speakers with two"
+        raise InputError("usage", f"--profile: stress, chance and motion models have no profile; {told}")
     return None
+
+
+def _speakers(arguments: argparse.Namespace, comparison: Comparison) -> Mapping[str, Profile | str]:
+    """The profiles of the speakers by their names; raises InputError `usage` if they are not two."""
+    if comparison is not Comparison.SPEAKERS:
+        return {}
+    named = arguments.profile or USUAL_SPEAKERS
+    speakers = {PurePath(name).stem: optional_profile(name) for name in named}
+    found = {name: profile for name, profile in speakers.items() if profile is not None}
+    if len(found) != len(USUAL_SPEAKERS):
+        raise InputError("usage", "--compare speakers: give two profiles, --profile A --profile B")
+    return found
+
+
+def _model(arguments: argparse.Namespace, comparison: Comparison) -> MotionModel | None:
+    """Raises InputError `usage` for a model in a comparison that does not use one, and as `read_motion_model` does."""
+    if comparison not in PAIRED:
+        if arguments.motion_model is not None:
+            raise InputError("usage", "--motion-model: only --compare ways and --compare affect have one; leave it out")
+        return None
+    from ...library.motion_models import DEFAULT_MODEL, read_motion_model
+
+    return read_motion_model(arguments.motion_model or DEFAULT_MODEL)
 
 
 def _score(arguments: argparse.Namespace, _log: Log) -> None:

@@ -1,7 +1,11 @@
 """A study, in order: read the lines, perform each in every condition, render the clips, write page and key.
 
-A line whose conditions look alike is reported and skipped; if no line differs, the study is refused.
+A line whose conditions look alike is reported and skipped; if no line differs, the study is refused. Of ways and affect
+raters see a pair of clips a round, as in the thesis (RTS §3.2): each two conditions twice and one clip twice in seven
+rounds. Of speakers the first line is for getting to know them.
 """
+
+from __future__ import annotations
 
 import csv
 import hashlib
@@ -16,8 +20,9 @@ from ...errors import InputError
 from ...library.motion import PreparedSchedule, RealizedSchedule
 from ...model import Behavior, Channel, Notice
 from ...models import Understudy
-from ..comparison import CONDITIONS, KEY_COLUMNS, KEY_NAME, Comparison
+from ..comparison import CONDITIONS, KEY_COLUMNS, KEY_NAME, PAIRED, Comparison
 from ..request import PAGE_FOLDER, StudyRequest
+from .by_model import by_speakers, driven_by_affect, in_ways
 from .clips import blind_clip, blind_sound, body_of, realized
 from .lines import StudyLine, read_lines
 from .singletons import in_modes, in_units_and_singly
@@ -26,8 +31,13 @@ from .site import CLIPS, CODE_LENGTH, LinePage, Site, script_of, script_of_bytes
 ADVICE: Mapping[Comparison, str] = {
     Comparison.MODES: "take lines of more words",
     Comparison.UNITS: "take lines of 11 to 28 s, in which units have several gestures, or another profile or seed",
+    Comparison.SPEAKERS: "take longer lines, or profiles that differ more",
 }
 """What would give a difference, by what is compared."""
+
+FEWEST_OF_SPEAKERS = 2
+AGAIN = "again"
+"""What the name of a clip's copy has, in a round of two that are the same."""
 
 Told = Callable[[str, Sequence[Notice]], None]
 """Is told of each line when its clips are made: its name and what they have, and its notices."""
@@ -62,28 +72,51 @@ def make_study(request: StudyRequest, models: Understudy, told: Told) -> int:
     every = [_rendered(request, models, line, told) for line in read_lines(request.source, request.options)]
     rendered = [line for line in every if line.differs]
     if not rendered:
-        message = (
-            f"{request.source.lines}: nobody could tell the conditions of any line apart; {ADVICE[request.comparison]}"
-        )
+        advice = ADVICE.get(request.comparison, "take other lines")
+        message = f"{request.source.lines}: nobody could tell the conditions of any line apart; {advice}"
+        raise InputError("study_lines", message, field="lines")
+    if request.comparison is Comparison.SPEAKERS and len(rendered) < FEWEST_OF_SPEAKERS:
+        message = f"{request.source.lines}: one line with a difference; give another, for the first shows who is who"
         raise InputError("study_lines", message, field="lines")
     coding = _Coding(request, [each.id for each in rendered])
+    rounds, again = _rounds(request, rendered, coding)
     bodies = {each.character: body_of(models, each.character) for each in rendered}
     site = Site(
         name=coding.code("study"),
         comparison=request.comparison,
-        lines=tuple(coding.page_of(each) for each in rendered),
-        files=dict(_files(rendered, bodies, coding)),
+        lines=rounds,
+        training=coding.training_of(rendered[0]) if request.comparison is Comparison.SPEAKERS else (),
+        files=dict(_files(rendered, bodies, coding, again)),
     )
     write_site(request.source.out / PAGE_FOLDER, site)
-    _write_key(request, rendered, coding)
-    return len(rendered)
+    _write_key(request, rendered, coding, again)
+    return len(rounds)
+
+
+def _rounds(
+    request: StudyRequest, rendered: Sequence[RenderedLine], coding: _Coding
+) -> tuple[tuple[LinePage, ...], Mapping[str, str]]:
+    """What raters see in a round, and the condition of the second clip of identical pairs, by line."""
+    if request.comparison is Comparison.SPEAKERS:
+        return tuple(coding.page_of(each, [*each.clips]) for each in rendered[1:]), {}
+    conditions = CONDITIONS[request.comparison]
+    if request.comparison not in PAIRED:
+        return tuple(coding.page_of(each, conditions) for each in rendered), {}
+    pairs, rounds, again = [*combinations(conditions, 2)] * 2, list[LinePage](), dict[str, str]()
+    for number in range(max(len(pairs) + 1, len(rendered))):
+        line, turn = rendered[number % len(rendered)], number % (len(pairs) + 1)
+        if turn < len(pairs):
+            rounds.append(coding.page_of(line, pairs[turn]))
+        elif line.id not in again:
+            again[line.id] = conditions[request.seed % len(conditions)]
+            rounds.append(coding.page_of(line, (again[line.id],), AGAIN))
+    return tuple(rounds), again
 
 
 def _rendered(request: StudyRequest, models: Understudy, line: StudyLine, told: Told) -> RenderedLine:
     """Raises InputError with the line's name."""
-    motions_of = {Comparison.MODES: _in_modes, Comparison.UNITS: _in_versions}[request.comparison]
     try:
-        motions = motions_of(models, line)
+        motions = _motions(request, models, line)
         sound = blind_sound(line.line.recording)
     except InputError as error:
         raise InputError(error.code, f"line {line.id!r}: {error.message}", field=error.field) from None
@@ -92,6 +125,26 @@ def _rendered(request: StudyRequest, models: Understudy, line: StudyLine, told: 
     notices = next(iter(motions.by_condition.values())).motion.notices
     told(f"{line.id}: {motions.told}{left_out}", notices)
     return RenderedLine(line.id, clips, sound, line.options.character, not motions.alike)
+
+
+def _motions(request: StudyRequest, models: Understudy, line: StudyLine) -> _Motions:
+    match request.comparison:
+        case Comparison.MODES:
+            return _in_modes(models, line)
+        case Comparison.UNITS:
+            return _in_versions(models, line)
+        case Comparison.SPEAKERS:
+            return _gesturing(by_speakers(models, request.speakers, line))
+    assert request.model is not None, "ways and affect have a model"
+    if request.comparison is Comparison.WAYS:
+        return _Motions(in_ways(models, request.model, line, request.seed), f"moved by {request.model.about}")
+    return _Motions(driven_by_affect(models, request.model, line), f"moved by {request.model.about}")
+
+
+def _gesturing(found: Mapping[str, RealizedSchedule]) -> _Motions:
+    gestures = {name: [each for each in one.schedule.behaviors if _is_made(each)] for name, one in found.items()}
+    told = f"gestures: {', '.join(f'{name} {len(made)}' for name, made in gestures.items())}"
+    return _Motions(found, told, "both have the same gestures" if _alike(*gestures.values()) else "")
 
 
 def _in_modes(models: Understudy, line: StudyLine) -> _Motions:
@@ -123,21 +176,26 @@ class _Coding:
 
     def __init__(self, request: StudyRequest, lines: Sequence[str]) -> None:
         self._of = f"{request.comparison} {request.seed} {' '.join(lines)}"
-        self._conditions = CONDITIONS[request.comparison]
         self._rng = random.Random(self._of)
 
     def code(self, *named: str) -> str:
         """A name of hexadecimal digits."""
         return hashlib.sha256(" ".join((self._of, *named)).encode()).hexdigest()[:CODE_LENGTH]
 
-    def page_of(self, line: RenderedLine) -> LinePage:
-        clips = [self.code(line.id, condition) for condition in self._conditions]
+    def page_of(self, line: RenderedLine, conditions: Sequence[str], *again: str) -> LinePage:
+        """The clips of these conditions in no telling order; with `again` that of the first twice."""
+        clips = [self.code(line.id, condition) for condition in conditions]
+        clips += [self.code(line.id, conditions[0], *again)] if again else []
         self._rng.shuffle(clips)
         return LinePage(self.code(line.id, "sound"), self.code(line.character, "body"), tuple(clips))
 
+    def training_of(self, line: RenderedLine) -> tuple[tuple[str, LinePage], ...]:
+        """The line as each speaker gestures, by his name."""
+        return tuple((name, self.page_of(line, [name])) for name in line.clips)
+
 
 def _files(
-    rendered: Sequence[RenderedLine], bodies: Mapping[str, bytes], coding: _Coding
+    rendered: Sequence[RenderedLine], bodies: Mapping[str, bytes], coding: _Coding, again: Mapping[str, str]
 ) -> Iterator[tuple[str, bytes]]:
     """The files beside the page."""
     for character, body in bodies.items():
@@ -148,12 +206,18 @@ def _files(
         for condition, clip in line.clips.items():
             name = coding.code(line.id, condition)
             yield f"{CLIPS}/{name}.js", script_of(name, clip)
+        if line.id in again:
+            name = coding.code(line.id, again[line.id], AGAIN)
+            yield f"{CLIPS}/{name}.js", script_of(name, line.clips[again[line.id]])
 
 
-def _write_key(request: StudyRequest, rendered: Sequence[RenderedLine], coding: _Coding) -> None:
+def _write_key(
+    request: StudyRequest, rendered: Sequence[RenderedLine], coding: _Coding, again: Mapping[str, str]
+) -> None:
     content = io.StringIO()
     writer = csv.writer(content, lineterminator="\n")
     writer.writerow(KEY_COLUMNS)
     for line in rendered:
         writer.writerows((coding.code(line.id, condition), line.id, condition) for condition in line.clips)
+    writer.writerows((coding.code(line, condition, AGAIN), line, condition) for line, condition in again.items())
     write_whole(request.source.out, KEY_NAME, content.getvalue().encode())

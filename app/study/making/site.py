@@ -25,7 +25,7 @@ from pathlib import Path
 
 from ...batch.work.files import clear_unfinished, write_whole
 from ...errors import InputError, ServiceError
-from ..comparison import DIMENSIONS, HIGHEST, LOWEST, MOST_UNDERSTOOD, UNDECIDED, UNDERSTOOD, Comparison
+from ..comparison import DIMENSIONS, HIGHEST, LOWEST, MOST_UNDERSTOOD, MUCH, UNDECIDED, UNDERSTOOD, Comparison
 
 PAGE = Path(__file__).resolve().parents[1] / "page"
 CLIPS = "clips"
@@ -45,12 +45,14 @@ class LinePage:
 
 @dataclass(frozen=True, slots=True)
 class Site:
-    """All of the page: its name, what is compared, its lines, and the files that are not in `index.html`, by path."""
+    """All of the page: its name, what is compared, its lines, the files that are not in `index.html`, by path, and what
+    each speaker looks like, who are to be told apart."""
 
     name: str
     comparison: Comparison
     lines: tuple[LinePage, ...]
     files: Mapping[str, bytes] = field(repr=False)
+    training: tuple[tuple[str, LinePage], ...] = ()
 
 
 def script_of(name: str, content: str) -> bytes:
@@ -102,13 +104,19 @@ def _plan(site: Site) -> dict[str, object]:
     return {
         "name": site.name,
         "comparison": site.comparison.value,
-        "lines": [{"sound": each.sound, "body": each.body, "clips": each.clips} for each in site.lines],
+        "lines": [_shown(each) for each in site.lines],
+        "training": [{"speaker": name, **_shown(each)} for name, each in site.training],
         "orders": list(_line_orders(site.lines)),
         "grades": [LOWEST, HIGHEST],
+        "much": MUCH,
         "dimensions": DIMENSIONS,
         "undecided": UNDECIDED,
         "understood": [UNDERSTOOD, MOST_UNDERSTOOD],
     }
+
+
+def _shown(line: LinePage) -> dict[str, object]:
+    return {"sound": line.sound, "body": line.body, "clips": line.clips}
 
 
 def _line_orders(lines: Sequence[LinePage]) -> Iterator[list[tuple[int, tuple[int, ...]]]]:

@@ -9,6 +9,9 @@
 const COLUMNS = Object.freeze({
   modes: ["rater", "trial", "position", "clip", "rating", "choice"],
   units: ["rater", "trial", "a", "b", "dimension", "answer"],
+  ways: ["rater", "trial", "a", "b", "preference"],
+  affect: ["rater", "trial", "a", "b", "preference"],
+  speakers: ["rater", "trial", "clip", "beside", "answer"],
 });
 
 export class Answers {

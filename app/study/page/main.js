@@ -6,7 +6,7 @@ import { mountEnd, saveButton } from "./end.js";
 import { keeping } from "./keeping.js";
 import { Player } from "./player.js";
 import { roundsOf } from "./plan.js";
-import { mountRound } from "./round.js";
+import { mountRound, mountTraining } from "./round.js";
 import { mountStart } from "./start.js";
 
 /** @import { Plan } from "./plan.js" */
@@ -21,12 +21,15 @@ async function rate(rater) {
   const rounds = roundsOf(plan, rater);
   const answers = new Answers(plan, rater, kept.store);
   const canvas = el("canvas", { "aria-label": "The character who performs", role: "img" });
-  const player = new Player(canvas, plan.comparison === "units");
+  const player = new Player(canvas, plan.comparison === "units" || plan.comparison === "speakers");
   const form = el("section");
   main.replaceChildren(canvas, form, el("footer", { class: "row" }, [saveButton(plan, answers)]));
+  if (plan.training.length > 0) {
+    await mountTraining(form, plan, player);
+  }
   for (const [index, round] of rounds.entries()) {
     if (!answers.has(index)) {
-      const told = `Line ${index + 1} of ${rounds.length}`;
+      const told = `Round ${index + 1} of ${rounds.length}`;
       answers.keep(index, await mountRound(form, plan, round, { player, told }));
     }
   }

@@ -1,4 +1,7 @@
-/** The papers' questions: grades from 1 to 10 with the best and the worst (§5), or which clip is more … (NGS §4.1). */
+/**
+ * The papers' questions: grades from 1 to 10 with the best and the worst (§5), which clip is more … (NGS §4.1), whose
+ * gestures they are (NGS §3.5), which of two is more natural and by how much (RTS §3.2).
+ */
 
 import { el } from "../../studio/page/dom.js";
 import { letter } from "./plan.js";
@@ -49,6 +52,38 @@ export function unitQuestions({ dimensions, undecided, understood: [understood, 
     { a, b, dimension: understood, answer: chosen(speech) },
   ];
   return { element: group([...asked, speech]), rows };
+}
+
+/**
+ * @param {Plan} plan
+ * @param {Round} round
+ * @returns {Questions}
+ */
+export function preferenceQuestions({ comparison, much }, { clips: [a = "", b = ""] }) {
+  const words = ["A much better", "A better", "no preference", "B better", "B much better"];
+  const options = words.map((word, index) => /** @type {const} */ ([String(index - much), word]));
+  const asked = PREFERRED[comparison === "affect" ? "affect" : "ways"];
+  const preferred = radios("preference", asked, options);
+  return { element: group([preferred]), rows: () => [{ a, b, preference: Number(chosen(preferred)) }] };
+}
+
+const PREFERRED = Object.freeze({
+  ways: "In which do the gestures look more natural?",
+  affect: "In which does the body feel more as the voice does?",
+});
+
+/**
+ * Of one clip whose gestures they are, of two whose those of A are.
+ *
+ * @param {Plan} plan
+ * @param {Round} round
+ * @returns {Questions}
+ */
+export function speakerQuestions({ training }, { clips: [clip = "", beside = ""] }) {
+  const names = training.map(({ speaker }) => /** @type {const} */ ([speaker, speaker]));
+  const asked = beside ? "Both speakers gesture, one in A and the other in B. Who gestures in A?" : "Who gestures like this?";
+  const named = radios("speaker", asked, names);
+  return { element: group([named]), rows: () => [{ clip, beside, answer: chosen(named) }] };
 }
 
 /**

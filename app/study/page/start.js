@@ -2,6 +2,7 @@
 
 import { el, labelled } from "../../studio/page/dom.js";
 import { Answers } from "./answers.js";
+import { roundsOf } from "./plan.js";
 
 /** @import { Store } from "./answers.js" */
 /** @import { Plan } from "./plan.js" */
@@ -13,6 +14,15 @@ const TOLD = Object.freeze({
   units:
     "A character speaks a line in two performances, A and B. Watch both, with sound; then say in which of them the character is " +
     "more natural, more friendly and so on. Judge intuitively, and by the body: the face is hidden.",
+  ways:
+    "A character speaks a line in two performances, A and B, which may be the same. Watch both, with sound; then say in which the " +
+    "gestures look more natural, and by how much.",
+  affect:
+    "A character speaks a line in two performances, A and B, which may be the same. Watch both, with sound; then say in which the " +
+    "body feels more as the voice does, and by how much.",
+  speakers:
+    "Two speakers gesture each in a way of his own. Get to know them; then say who gestures in other lines, first of one " +
+    "performance, then of two side by side. The face is hidden.",
 });
 
 /**
@@ -26,7 +36,7 @@ export function mountStart(element, plan, { store, lasts }, started) {
   const note = el("p", { class: "quiet" });
   const tell = () => {
     const count = number.validity.valid && number.value ? new Answers(plan, number.valueAsNumber, store).count : 0;
-    note.textContent = count > 0 ? `This rater has answered ${count} of ${plan.lines.length} lines here, and goes on.` : "";
+    note.textContent = count > 0 ? `This rater has answered ${count} of ${roundsOf(plan, 1).length} rounds here, and goes on.` : "";
   };
   const begin = (/** @type {Event} */ event) => {
     event.preventDefault();

@@ -298,7 +298,8 @@ class _TableReading:
         preference = self._number(row, "preference", -MUCH, MUCH)
         if first is None or second is None or preference is None:
             return
-        if self._is_new(row, row.cells["rater"], first.line, *sorted((first.condition, second.condition))):
+        pair = sorted((first.condition, second.condition))
+        if self._is_new(row, row.cells["rater"], first.line, *pair, row.cells.get("trial", "")):
             answer = Preferred(row.cells["rater"], first.line, first.condition, second.condition, preference)
             self._preferred.append(answer)
 
@@ -316,7 +317,8 @@ class _TableReading:
         """Whether nobody has answered this before; the same answer twice is a mistake."""
         first = self._first.setdefault(answered, row)
         if first is not row:
-            message = f"{' '.join(answered[1:])}: this rater has answered it already, at {first.path}:{first.line}"
+            asked = " ".join(filter(None, answered[1:]))
+            message = f"{asked}: this rater has answered it already, at {first.path}:{first.line}"
             self._mistakes.append(row.wrong("rater", message))
         return first is row
 
