@@ -1,4 +1,4 @@
-"""Runs the examples of a page for authors: files that are written, and commands with a part of their output."""
+"""Runs the examples of pages for authors: files that are written, and commands with a part of their output."""
 
 import json
 import os
@@ -7,25 +7,37 @@ import shlex
 import shutil
 import subprocess
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 
 FOLLOW = """
-import contextlib, io, json, sys
+import contextlib, functools, io, json, sys
 from pathlib import Path
 from understudy.cli.main import main
+from understudy.syntax import parser
+parser.load_pipeline = functools.cache(parser.load_pipeline)
+before = {}
 for line in sys.stdin:
     step = json.loads(line)
+    if step.get("begins"):
+        for path, content in before.items():
+            path.unlink() if content is None else path.write_bytes(content)
+        before.clear()
+        continue
     if "file" in step:
-        Path(step["file"]).write_text(step["text"], encoding="utf-8")
+        path = Path(step["file"])
+        before.setdefault(path, path.read_bytes() if path.exists() else None)
+        path.write_text(step["text"], encoding="utf-8")
         continue
     out, err = io.TextIOWrapper(io.BytesIO(), encoding="utf-8"), io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
         main(step["command"])
     sys.stdout.write(json.dumps(out.buffer.getvalue().decode() + err.getvalue()) + "\\n")
 """
-"""Writes files and runs commands one after another, in one process that has loaded what they need."""
+"""Writes files and runs commands one after another, in one process that has loaded what they need; where a page begins,
+files are as they were before those of the last."""
 
 
 def examples_of(page: Path) -> list[tuple[str, str, str]]:
@@ -33,11 +45,16 @@ def examples_of(page: Path) -> list[tuple[str, str, str]]:
     return re.findall(r"```(\S+)(?: (\S+))?\n(.*?)```", page.read_text(encoding="utf-8"), flags=re.DOTALL)
 
 
-def failed_commands(page: Path, folder: Path, *, at_least: int) -> list[str]:
-    """The commands, of which there are `at_least` so many, whose output lacks a line of the page; in a copy of the
+def failed_commands(pages: Mapping[Path, int], folder: Path) -> list[str]:
+    """The commands, of which each page has so many at least, whose output lacks a line of its page; in a copy of the
     checkout in `folder`."""
-    steps, expected = _steps(page)
-    assert len(expected) >= at_least
+    steps: list[dict[str, object]] = []
+    expected: list[tuple[str, list[str]]] = []
+    for page, at_least in pages.items():
+        of_page, told = _steps(page)
+        assert len(told) >= at_least
+        steps += [{"begins": page.name}, *of_page]
+        expected += told
     answers = _answers(_copy(folder), steps)
     failed = []
     for answer, (command, lines) in zip(answers, expected, strict=True):
