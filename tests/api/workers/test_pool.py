@@ -113,7 +113,9 @@ def test_who_comes_again_when_told_is_served_before_who_comes_first(nursery: Nur
     asyncio.run(scenario())
 
 
-def test_a_nursery_that_was_killed_is_renewed_though_nobody_needs_it_and_that_is_told() -> None:
+def test_a_nursery_that_was_killed_is_renewed_though_nobody_needs_it_and_one_that_hangs_is_ended() -> None:
+    """What is wrong is told meanwhile."""
+
     async def scenario(own: Nursery) -> None:
         async with _pool(own) as pool:
             os.kill(own.pid, signal.SIGKILL)
@@ -124,6 +126,12 @@ def test_a_nursery_that_was_killed_is_renewed_though_nobody_needs_it_and_that_is
             assert await pool.trouble() is None
             await asyncio.sleep(1.5 * IDLE_S)  # so that it warms up, which must not keep it from forking
             _kill(pool)
+            await _short(pool)
+            renewed = pool.nursery
+            os.kill(renewed.pid, signal.SIGSTOP)
+            _kill(pool)
+            await _short(pool)
+            await _until(lambda: pool.nursery is not renewed)
             await _short(pool)
 
     with Nursery.start(Settings()) as own:
@@ -265,15 +273,3 @@ def test_when_the_service_stops_what_runs_has_its_grace(nursery: Nursery) -> Non
             await stopping
 
     asyncio.run(scenario())
-
-
-def test_a_nursery_that_hangs_is_ended_and_another_started() -> None:
-    async def scenario(own: Nursery) -> None:
-        async with _pool(own) as pool:
-            os.kill(own.pid, signal.SIGSTOP)
-            _kill(pool)
-            await _short(pool)
-            assert pool.nursery is not own
-
-    with Nursery.start(Settings()) as own:
-        asyncio.run(scenario(own))
