@@ -146,3 +146,29 @@ def test_the_service_performs_a_form_without_audio(client: TestClient, said: Per
     answer = client.post("/perform", files={"text": (None, TEXT)})
     assert answer.status_code == 200, answer.text
     assert answer.content == write_bml(said)
+
+
+def _sharing(functions: list[dict[str, object]]) -> int:
+    """How many kept functions share a word with another."""
+    spans = [range(int(str(each["first"])), int(str(each["last"])) + 1) for each in functions if each["kept"]]
+    return sum(any(set(one) & set(other) for other in spans if other is not one) for one in spans)
+
+
+def test_the_command_has_functions_compete_by_priority_alone(tmp_path: Path) -> None:
+    """VCP §3.3; by default they stand beside each other."""
+    trace = tmp_path / "line.json"
+    line = [
+        "say",
+        "--text",
+        "I have never seen a *bigger* house.",
+        "-o",
+        str(tmp_path / "x.bml"),
+        "--trace",
+        str(trace),
+    ]
+    shared = []
+    for choice in ("priority", "terms"):
+        assert main([*line, "--choice", choice, "--quiet"]) == 0
+        shared.append(_sharing(json.loads(trace.read_text(encoding="utf-8"))["functions"]))
+    assert shared[0] == 0
+    assert shared[1] > 0
