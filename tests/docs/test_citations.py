@@ -1,5 +1,6 @@
 """What docstrings and data cite is there: nobody who clones the repository has the folder of the papers and notes."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -26,3 +27,19 @@ def test_every_page_that_docstrings_cite_is_there() -> None:
     pages = {page.split("docs/", 1)[1].split(".md")[0] for page in cited}
     docs = ROOT / "docs"
     assert pages - {path.relative_to(docs).with_suffix("").as_posix() for path in docs.rglob("*.md")} == set()
+
+
+def test_every_module_that_the_page_of_the_papers_names_is_there() -> None:
+    page = (ROOT / "docs" / "papers.md").read_text(encoding="utf-8")
+    named = set(re.findall(r"`([\w/]+\.(?:py|yaml)|[\w/]+/)`", page))
+    there = [
+        path.relative_to(ROOT).as_posix()
+        for folder in (*SHIPPED, "tests", "benchmarks", "examples")
+        for path in _all(folder)
+    ]
+    missing = [name for name in named if not any(f"/{name.rstrip('/')}/" in f"/{path}/" for path in there)]
+    assert missing == []
+
+
+def _all(folder: str) -> list[Path]:
+    return [path for path in (ROOT / folder).rglob("*") if "__pycache__" not in path.parts]
