@@ -1,14 +1,16 @@
 """Agreement with directors on held-out lines of each kind, by the words alone.
 
-    python -m benchmarks.behavior.kinds [--directing FOLDER]
+    python -m benchmarks.behavior.kinds [--directing FOLDER] [--written 3]
 
 Performs the carefully directed lines that no reader was trained on (`training.acting.directed.is_held_out`; their kinds
 were), each word with a usual duration, and scores them with score.py of the folder against the one reading that each
-has.
+has. With `--written` they are all lines of that series of our own (`training/acting/lines/KIND_3.jsonl`), held out or
+not: those that were written after the shipped reader was trained are as new to it.
 """
 
 import argparse
 import json
+import re
 from collections import Counter, defaultdict
 from collections.abc import Sequence
 from dataclasses import replace
@@ -38,11 +40,11 @@ def timed(analysis: Analysis) -> Analysis:
     return replace(analysis, utterance=replace(analysis.utterance, words=tuple(words), duration_s=now_s + SILENCE_S))
 
 
-def measure(directing: Path) -> None:
+def measure(directing: Path, series: str) -> None:
     """Performs and scores the lines, and prints the agreement by kind."""
     readings: dict[tuple[str, tuple[str, ...]], list[DirectedLine]] = defaultdict(list)
     for line in read_lines(directing):
-        if is_held_out(line) and not line.is_delivery:
+        if not line.is_delivery and (_is_of(line, series) if series else is_held_out(line)):
             readings[line.source, line.words].append(line)
     totals: dict[str, Counter[str]] = defaultdict(Counter)
     counts: Counter[str] = Counter()
@@ -60,6 +62,10 @@ def measure(directing: Path) -> None:
         score.show(f"{name}, {counts[name]} lines", total, counts[name])
 
 
+def _is_of(line: DirectedLine, series: str) -> bool:
+    return re.fullmatch(rf"[a-z]+{re.escape(series)}-\d+", line.name) is not None
+
+
 def _records(score: Any, lines: Sequence[DirectedLine]) -> list[dict[str, Any]]:  # noqa: ANN401
     """The readings of a line as score.py reads them: pointings are one family."""
     records = json.loads(json.dumps([line.reading for line in lines]))
@@ -74,7 +80,9 @@ def _records(score: Any, lines: Sequence[DirectedLine]) -> list[dict[str, Any]]:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
-    measure(parser.parse_args().directing)
+    parser.add_argument("--written", default="", help="the number of a series of our own lines")
+    options = parser.parse_args()
+    measure(options.directing, options.written)
 
 
 if __name__ == "__main__":
