@@ -30,11 +30,11 @@ def test_a_wrong_file_shows_the_services_own_words(opened: Page, tmp_path: Path)
     opened.wait_for_selector("#stage-canvas[data-roles='speaker']")
 
 
-def test_a_body_that_is_none_is_told(opened: Page, tmp_path: Path) -> None:
+def test_a_body_that_is_none_is_told(looked_at: Page, tmp_path: Path) -> None:
     wrong = tmp_path / "body.glb"
     wrong.write_bytes(b"no body")
-    opened.set_input_files("#files", str(wrong))
-    opened.wait_for_selector("#problem:has-text('body.glb is not a body in GLB or VRM')")
+    looked_at.set_input_files("#files", str(wrong))
+    looked_at.wait_for_selector("#problem:has-text('body.glb is not a body in GLB or VRM')")
 
 
 def test_a_zip_that_is_no_project_is_told(page: Page, tmp_path: Path) -> None:
@@ -56,11 +56,11 @@ def test_gestures_are_those_of_a_profile_and_another_name_is_told(opened: Page) 
     opened.wait_for_selector("#problem", state="hidden")
 
 
-def test_the_views_are_changed_by_keyboard(opened: Page) -> None:
-    opened.focus("#views button:has-text('Rules')")
-    opened.keyboard.press("Enter")
-    assert opened.is_visible("main#rules") or opened.get_attribute("main#rules", "hidden") is None
-    assert not opened.is_visible("main#line")
+def test_the_views_are_changed_by_keyboard(looked_at: Page) -> None:
+    looked_at.focus("#views button:has-text('Rules')")
+    looked_at.keyboard.press("Enter")
+    assert looked_at.is_visible("main#rules") or looked_at.get_attribute("main#rules", "hidden") is None
+    assert not looked_at.is_visible("main#line")
 
 
 def test_nothing_serious_is_in_the_way_of_anybody(page: Page) -> None:
