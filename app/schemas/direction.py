@@ -45,11 +45,11 @@ _Gaze = Annotated[str, Field(json_schema_extra={"enum": list(GAZES)})]
 _Avoided = Annotated[str, Field(json_schema_extra={"enum": sorted({*AVOIDABLE, NO_NEGATION})})]
 
 
-class _Form(BaseModel):
+class _NoteForm(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
 
 
-class DirectedMomentRequest(_Form):
+class DirectedMomentRequest(_NoteForm):
     """Words over which the body should express something. Each kind listed would be right, the best first; an empty
     list leaves that part of the body to the rules."""
 
@@ -79,7 +79,7 @@ class DirectedMomentRequest(_Form):
         )
 
 
-class AvoidanceRequest(_Form):
+class AvoidanceRequest(_NoteForm):
     """Words over which something would be wrong."""
 
     first: _Word
@@ -99,7 +99,7 @@ class AvoidanceRequest(_Form):
         return Avoidance(self.first, self.last, tuple(map(_plain, self.what)), self.why)
 
 
-class DemandRequest(_Form):
+class DemandRequest(_NoteForm):
     """Words over which something always comes, or never."""
 
     first: _Word
@@ -117,7 +117,7 @@ class DemandRequest(_Form):
         return Demand(self.what, self.first, self.last, always, by)
 
 
-class DirectionRequest(_Form):
+class DirectionRequest(_NoteForm):
     """A director's notes on one line."""
 
     id: Annotated[str | int | None, Field(description="Not read.")] = None

@@ -68,11 +68,11 @@ _Offset = Annotated[float, Field(ge=-LONGEST_OFFSET_S, le=LONGEST_OFFSET_S, allo
 _Second = Annotated[float, Field(ge=0, le=36_000, allow_inf_nan=False)]
 
 
-class _Form(BaseModel):
+class _EditForm(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True, from_attributes=True)
 
 
-class WordReferenceForm(_Form):
+class WordReferenceForm(_EditForm):
     """A word by its number and text. If there is another text, the nearest word with this one is meant."""
 
     word: Annotated[int, Field(ge=0, le=1_000_000, description="The first is 0.")]
@@ -82,7 +82,7 @@ class WordReferenceForm(_Form):
         return WordReference(self.word, self.text)
 
 
-class MarkPlaceForm(_Form):
+class MarkPlaceForm(_EditForm):
     """A time: `offset_s` after an edge of a word."""
 
     at: WordReferenceForm
@@ -93,7 +93,7 @@ class MarkPlaceForm(_Form):
         return MarkPlace(self.at.to_value(), self.offset_s, self.edge)
 
 
-class MarksForm(_Form):
+class MarksForm(_EditForm):
     """The sync points that were moved; the others follow."""
 
     start: MarkPlaceForm | None = None
@@ -109,7 +109,7 @@ class MarksForm(_Form):
         return Marks(**{name: place.to_value() for name, place in places if place is not None})
 
 
-class BehaviorReferenceForm(_Form):
+class BehaviorReferenceForm(_EditForm):
     """One of the line's behaviours as it is without edits: its channel, its first word, and what identifies it."""
 
     channel: Annotated[Channel, Field(strict=False)]
@@ -131,7 +131,7 @@ class BehaviorReferenceForm(_Form):
         )
 
 
-class BehaviorEditForm(_Form):
+class BehaviorEditForm(_EditForm):
     """The changes to one behaviour: `of` refers to an existing one; `add` and `on` make a new one."""
 
     of: BehaviorReferenceForm | None = None
@@ -184,14 +184,14 @@ class BehaviorEditForm(_Form):
         )
 
 
-class HeardTimeForm(_Form):
+class HeardTimeForm(_EditForm):
     """When the aligner heard a word."""
 
     start_s: _Second
     end_s: _Second
 
 
-class WordEditForm(_Form):
+class WordEditForm(_EditForm):
     """The changes to one word: marked `important` or `still`, or its corrected time."""
 
     at: WordReferenceForm
@@ -218,7 +218,7 @@ class WordEditForm(_Form):
         return WordEdit(self.at.to_value(), self.mark, self.start_s, self.end_s, heard)
 
 
-class LineSettingsForm(_Form):
+class LineSettingsForm(_EditForm):
     """Options that the author set for the line; they override those of the request."""
 
     character: _Name | None = None
@@ -233,7 +233,7 @@ class LineSettingsForm(_Form):
         return LineSettings(self.character, self.agitation, self.seed, self.stillness, self.mode, affect)
 
 
-class EditsForm(_Form):
+class EditsForm(_EditForm):
     """All changes that an author made to a line."""
 
     version: Literal[1] = 1

@@ -31,7 +31,7 @@ _Name = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_.]*$", max_length=100
 _Index = Annotated[int, Field(ge=0, le=10**6)]
 
 
-class _Form(BaseModel):
+class _ScriptForm(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
 
@@ -67,7 +67,7 @@ def _position(told: str | None) -> Position | None:
     return Position(across, height, depth, next((each for each in Swivel if each in words), Swivel.NORMAL))
 
 
-class StretchForm(_Form):
+class StretchForm(_ScriptForm):
     """An interval of time."""
 
     start_s: _Time
@@ -84,7 +84,7 @@ class PhoneForm(StretchForm):
     stress: Annotated[int, Field(ge=0, le=2)] | None = None
 
 
-class WordForm(_Form):
+class WordForm(_ScriptForm):
     """A word; one that is not spoken has no times."""
 
     text: str
@@ -93,7 +93,7 @@ class WordForm(_Form):
     phones: tuple[PhoneForm, ...] = ()
 
 
-class ScriptGestureForm(_Form):
+class ScriptGestureForm(_ScriptForm):
     """A gesture; its first stroke is the main one."""
 
     id: _Name
@@ -131,7 +131,7 @@ class ScriptUnitForm(StretchForm):
     rest: Literal["clasped", "at_side", "in_pockets", "folded", "behind_back", "on_hips", "open"]
 
 
-class GestureScriptForm(_Form):
+class GestureScriptForm(_ScriptForm):
     """A whole script."""
 
     profile: _Name
