@@ -81,13 +81,7 @@ def write_motion(
         MotionFormat.CSV: lambda: to_arkit_csv(motion, skeleton),
         MotionFormat.VISEMES: lambda: to_viseme_text(schedule.visemes, schedule.duration_s),
         MotionFormat.BAP: lambda: to_bap(motion, skeleton, options.bap),
-        MotionFormat.FAP: lambda: to_fap(
-            motion,
-            skeleton,
-            FapTable.load(lexicon_folder() / TABLE),
-            _viseme_weights(realized, realizer),
-            options.bap,
-        ),
+        MotionFormat.FAP: lambda: _fap(realized, realizer, options),
         **{form: partial(_editorial, realized, form, options.audio) for form in EDITORIAL},
         MotionFormat.SHEET: lambda: draw_sheet(motion, skeleton, moments_of(motion, schedule), looks=looks),
         MotionFormat.SPEEDS: lambda: draw_speeds(motion, skeleton, schedule),
@@ -102,6 +96,13 @@ def _glb(realized: RealizedSchedule, realizer: Realizer, avatar: bytes | None, k
     if avatar is None:
         return to_glb(realized.motion, performer.skeleton, performer.looks, sparse_for=sparse_for)
     return to_avatar_glb(realized.motion, performer.skeleton, avatar, realizer.rigs, sparse_for=sparse_for)
+
+
+def _fap(realized: RealizedSchedule, realizer: Realizer, options: FileOptions) -> bytes:
+    """Raises AuthoringError for the table of facial animation parameters."""
+    skeleton = realizer.performer(realized.schedule.character).skeleton
+    table = FapTable.load(lexicon_folder() / TABLE)
+    return to_fap(realized.motion, skeleton, table, _viseme_weights(realized, realizer), options.bap)
 
 
 def _usd(realized: RealizedSchedule, realizer: Realizer, form: MotionFormat, audio: AudioFile | None) -> bytes:
