@@ -31,20 +31,21 @@ STROKE = "#selected input[data-mark=stroke]"
 
 
 @pytest.mark.parametrize("view", ["Line", "Gesture editor", "Rules", "Table read"])
-def test_tab_leads_to_every_control_of_a_view(opened: Page, view: str) -> None:
-    opened.click("#items li[title*='gesture NEGATION']")
-    opened.click(f"#views >> text='{view}'")
+def test_tab_leads_to_every_control_of_a_view(looked_at: Page, view: str) -> None:
+    looked_at.click("#views >> text='Line'")
+    looked_at.click("#items li[title*='gesture NEGATION']")
+    looked_at.click(f"#views >> text='{view}'")
     if view == "Gesture editor":
-        opened.wait_for_selector("#gesture-canvas[data-pose*='.']")
+        looked_at.wait_for_selector("#gesture-canvas[data-pose*='.']")
     elif view == "Rules":
-        opened.fill("#rule-filter", "affirmation")
-        opened.wait_for_selector("#rule-list li")
-    for _press in range(opened.evaluate(CONTROLS) + SPARE_TABS):
-        opened.keyboard.press("Tab")
-        if focused := opened.evaluate(FOCUSED):
+        looked_at.fill("#rule-filter", "affirmation")
+        looked_at.wait_for_selector("#rule-list li")
+    for _press in range(looked_at.evaluate(CONTROLS) + SPARE_TABS):
+        looked_at.keyboard.press("Tab")
+        if focused := looked_at.evaluate(FOCUSED):
             assert focused["name"], "it has no name"
             assert focused["outline"] == "2px solid"
-    assert opened.evaluate(UNREACHED) == []
+    assert looked_at.evaluate(UNREACHED) == []
 
 
 def test_marks_and_edges_of_words_are_moved_by_arrows_and_keep_the_focus(opened: Page) -> None:
@@ -93,11 +94,12 @@ def test_the_line_is_played_and_looped_where_the_list_has_the_focus(opened: Page
     assert opened.evaluate("document.querySelector('audio').paused"), "it sounds where nobody sees it"
 
 
-def test_the_camera_orbits_by_keyboard(opened: Page) -> None:
+def test_the_camera_orbits_by_keyboard(looked_at: Page) -> None:
+    looked_at.click("#views >> text='Line'")
     picture = "document.querySelector('#stage-canvas').toDataURL()"
-    before = opened.evaluate(picture)
-    opened.focus("#stage-canvas")
+    before = looked_at.evaluate(picture)
+    looked_at.focus("#stage-canvas")
     for key in ("d", "w", "+"):
-        opened.keyboard.press(key)
-        wait_until(opened, f"{picture} !== {json.dumps(before)}")
-        before = opened.evaluate(picture)
+        looked_at.keyboard.press(key)
+        wait_until(looked_at, f"{picture} !== {json.dumps(before)}")
+        before = looked_at.evaluate(picture)

@@ -3,12 +3,14 @@ do."""
 
 import time
 import zipfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page
+from playwright.sync_api import Browser, Page
 
 from tests.studio.accessibility import serious_findings
+from tests.studio.conftest import opened_page
 from tests.studio.waiting import PATIENCE_S, wait_until
 
 LINE_S, PAUSE_S = 7.18, 0.4
@@ -17,6 +19,17 @@ LINE_S, PAUSE_S = 7.18, 0.4
 
 @pytest.fixture
 def room(page: Page) -> Page:
+    return _entered(page)
+
+
+@pytest.fixture(scope="module")
+def empty_room(browser: Browser, service_url: str) -> Iterator[Page]:
+    """One visit for all that opens no scene, and the last that does."""
+    with opened_page(browser, service_url) as page:
+        yield _entered(page)
+
+
+def _entered(page: Page) -> Page:
     page.goto("/")
     page.get_by_role("button", name="Table read").click()
     return page
@@ -66,26 +79,28 @@ def test_a_line_of_the_scene_is_noted_on_and_opened_in_the_studio(room: Page, sc
     assert "really sure" in room.input_value("#text")
 
 
-def test_a_folder_that_is_no_batch_says_so(room: Page, tmp_path: Path) -> None:
+def test_a_folder_that_is_no_batch_says_so(empty_room: Page, tmp_path: Path) -> None:
     (tmp_path / "some").mkdir()
     (tmp_path / "some" / "notes.txt").write_text("nothing")
-    room.set_input_files("#scene-folder", tmp_path / "some")
-    room.wait_for_selector("#problem:has-text('there is no index.json')")
+    empty_room.set_input_files("#scene-folder", tmp_path / "some")
+    empty_room.wait_for_selector("#problem:has-text('there is no index.json')")
 
 
-def test_what_a_batch_lacks_is_told(room: Page, scene: Path, tmp_path: Path) -> None:
+def test_what_a_batch_lacks_is_told(empty_room: Page, scene: Path, tmp_path: Path) -> None:
     (tmp_path / "index.json").write_bytes((scene / "index.json").read_bytes())
-    room.set_input_files("#scene-folder", tmp_path)
-    room.wait_for_selector("#problem:has-text('of one, two; perform the batch with --format clip.json --format wav')")
+    empty_room.set_input_files("#scene-folder", tmp_path)
+    empty_room.wait_for_selector(
+        "#problem:has-text('of one, two; perform the batch with --format clip.json --format wav')"
+    )
 
 
-def test_nobody_stumbles_over_a_table_read_and_a_camera_may_be_chosen(room: Page, scene: Path) -> None:
-    assert serious_findings(room) == []
-    room.set_input_files("#scene-folder", scene)
-    room.wait_for_selector("#table-read-canvas[data-wrists]")
-    assert serious_findings(room) == []
-    room.get_by_label("Camera").last.select_option("over_shoulder")
-    room.wait_for_selector("#table-read-canvas[data-shot='over_shoulder ELIZA']")
+def test_nobody_stumbles_over_a_table_read_and_a_camera_may_be_chosen(empty_room: Page, scene: Path) -> None:
+    assert serious_findings(empty_room) == []
+    empty_room.set_input_files("#scene-folder", scene)
+    empty_room.wait_for_selector("#table-read-canvas[data-wrists]")
+    assert serious_findings(empty_room) == []
+    empty_room.get_by_label("Camera").last.select_option("over_shoulder")
+    empty_room.wait_for_selector("#table-read-canvas[data-shot='over_shoulder ELIZA']")
 
 
 def _time_s(room: Page) -> float:
