@@ -18,6 +18,8 @@ const PLAN = {
     [[1, [0, 1]], [0, [1, 0]]],
   ],
   grades: [1, 10],
+  much: 2,
+  training: [],
   dimensions: ["natural"],
   undecided: "undecided",
   understood: ["understood", 3],
@@ -28,6 +30,14 @@ test("raters take the orders in turn, and again from the first", () => {
   assert.deepEqual(clips(1), ["xy", "wv"]);
   assert.deepEqual(clips(2), ["vw", "yx"]);
   assert.deepEqual(clips(3), clips(1));
+});
+
+test("of speakers a clip is seen alone first, then two side by side", () => {
+  const rounds = roundsOf({ ...PLAN, comparison: "speakers" }, 1);
+  assert.deepEqual(
+    rounds.map((round) => round.clips.join("")),
+    ["x", "w", "xy", "wv"],
+  );
 });
 
 test("clips are called by letters", () => {
