@@ -92,8 +92,8 @@ def _mpeg4(angles: _Angles) -> Turns:
             turn = angles.turned(order, *(f"{short}_{name}" if name else "" for name in names))
             yield side + part, _from_hanging(part, turn, hang)
         for ours, finger in FINGERS.items():
-            names = (f"{short}_{finger}1_{turn}" for turn in ("flexion", "pivot", "twisting"))
-            yield f"{side}{ours}Proximal", hang.inv() * angles.turned("ZXY", *names) * hang
+            parameters = (f"{short}_{finger}1_{turn}" for turn in ("flexion", "pivot", "twisting"))
+            yield f"{side}{ours}Proximal", hang.inv() * angles.turned("ZXY", *parameters) * hang
         yield from _bends(angles, short, side)
 
 

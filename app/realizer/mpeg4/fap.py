@@ -156,7 +156,7 @@ def named_shapes(file: ReadParameters, visemes: FloatArray) -> FloatArray:
         return file.numbers.get(name, np.zeros(file.frames))
 
     def viseme(name: str) -> FloatArray:
-        return visemes[np.clip(told(name), 0, len(visemes) - 1).astype(int)]
+        return np.asarray(visemes[np.clip(told(name), 0, len(visemes) - 1).astype(int)])
 
     blend = np.clip(told("viseme_blend") / MOST, 0.0, 1.0)[:, None]
     shapes: FloatArray = blend * viseme("viseme_select1") + (1 - blend) * viseme("viseme_select2")
