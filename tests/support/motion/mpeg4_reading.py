@@ -48,7 +48,7 @@ def read_parameters(content: bytes) -> ParameterFile:
     for frame, row in enumerate(rows[1::2]):
         number, *told = map(int, row.split())
         assert number == frame
-        set_ones = np.flatnonzero(masks[frame])
+        set_ones = np.flatnonzero(masks[frame]).tolist()
         counts = [SEVERAL.get(column, 1) if masks.shape[1] == FACE_COLUMNS else 1 for column in set_ones]
         assert len(told) == sum(counts)
         starts = np.cumsum([0, *counts[:-1]])
