@@ -79,14 +79,29 @@ PLAIN_MANNER = GestureManner()
 """Gestures unchanged from the library."""
 
 
+class Wait(StrEnum):
+    """How hands wait between two gestures: both before the belly, alike or unevenly; one of them there while the other
+    hangs, is on the hip or in the pocket; one holding the other arm; or both open to the sides, one higher."""
+
+    BELLY = "belly"
+    UNEVEN = "uneven"
+    ONE = "one"
+    HIP = "hip"
+    POCKET = "pocket"
+    FOREARM = "forearm"
+    OPEN = "open"
+
+
 @dataclass(frozen=True, slots=True)
 class Figure:
-    """Body, looks and manner of one character, and the hand that it prefers (`leading`)."""
+    """Body, looks and manner of one character, the hand that it prefers (`leading`), and how its hands wait between two
+    gestures (none: as anybody's)."""
 
     physique: Physique = Physique()
     looks: Looks = Looks()
     manner: GestureManner = PLAIN_MANNER
     leading: Hand = Hand.RIGHT
+    waits: tuple[Wait, ...] = ()
 
 
 PLAIN = Figure()

@@ -13,13 +13,14 @@ from types import MappingProxyType
 import numpy as np
 
 from ..model import Behavior, Channel, FloatArray, Hand, Schedule, SyncPoints
-from ..model.figure import PLAIN, Figure, Looks
+from ..model.figure import PLAIN, Figure, Looks, Wait
 from ..option_table import MOTION
 from .arms.collisions import resolve_collisions
 from .body.motion import BodyMotion, Decision, Motion
 from .body.movement_style import Ends, MovementStyle
 from .body.proportions import Proportions
 from .body.skeleton import Skeleton
+from .dynamics.dragging import eased_at_the_ends
 from .exporting.retargeting import Rig, find_rig, load_rigs
 from .face.expressions import realized_faces, unknown_faces
 from .face.face import face_weights
@@ -52,19 +53,20 @@ _LARGEST_SEED = 2**64 - 1
 
 @dataclass(frozen=True, slots=True, eq=False)
 class RealizedCharacter:
-    """A character as it is realized: its body, its looks, the gestures of the library in its manner, and the hand that
-    leads in those of both."""
+    """A character as it is realized: its body, its looks, the gestures of the library in its manner, the hand that
+    leads in those of both, and how its hands wait (none: as anybody's)."""
 
     skeleton: Skeleton
     looks: Looks
     library: Library
     leading: Hand
+    waits: tuple[Wait, ...] = ()
 
     @classmethod
     def of(cls, figure: Figure, library: Library) -> "RealizedCharacter":
         """The performer whose figure this is."""
         skeleton = Skeleton.standing(Proportions(figure.physique))
-        return cls(skeleton, figure.looks, library.in_manner(figure.manner), figure.leading)
+        return cls(skeleton, figure.looks, library.in_manner(figure.manner), figure.leading, figure.waits)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -137,7 +139,8 @@ def realize(
     schedule = replace(schedule, duration_s=schedule.duration_s + tail_s)
     performer = realizer.performer(schedule.character)
     skeleton, aims_m = performer.skeleton, _targets_m(schedule, performer.skeleton)
-    style = replace(realizer.style, ends=Ends()) if open_ended else realizer.style
+    style = replace(realizer.style, waits=realizer.style.waits.only(performer.waits))
+    style = replace(style, ends=Ends()) if open_ended else style
     plan = plan_gestures(
         performer.library,
         schedule,
@@ -187,7 +190,9 @@ def _moving_body(
     """The body by the controllers in order, and the decisions about its looks with gestures and its steps."""
     lively = 1 - schedule.stillness
     accents = accents_of(plan, times_s, style.stroke, scale=lively)
-    body = idle_motion(skeleton, times_s, schedule, seed=seed, life=style.idle, with_legs=False)
+    eased_s = eased_at_the_ends(times_s, style.ends.eased_s)
+    body = idle_motion(skeleton, eased_s, schedule, seed=seed, life=style.idle, with_legs=False)
+    body = replace(body, times_s=times_s)
     body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=lively, accents=accents)
     body = with_shrugs(skeleton, with_hanging_arms(skeleton, body), plan)
     body, stepped = with_steps(skeleton, body, schedule, seed=seed)
@@ -195,7 +200,7 @@ def _moving_body(
     looks = accompanying_looks(skeleton, body, schedule, plan)
     seen_m = {**targets_m, **{str(look.gaze.target): look.at_m for look in looks}}
     body, at_m = apply_gaze(skeleton, body, with_looks(schedule, looks), targets_m=seen_m, seed=seed)
-    body = apply_head_movements(skeleton, body, schedule, seed=seed, seen_m=at_m)
+    body = apply_head_movements(skeleton, body, schedule, seed=seed, seen_m=at_m, trunk_s=eased_s)
     body = with_neck_reaching(skeleton, body, schedule, accents.neck, seed=seed, life=style.idle)
     return body, (*(look.decision for look in looks), *stepped)
 

@@ -17,7 +17,7 @@ from pydantic import BeforeValidator, Field
 
 from ...errors import AuthoringError, InputError, Mistake, collected, did_you_mean, shown
 from ...model import Channel, Hand
-from ...model.figure import AVERAGE_HEIGHT_M, PLAIN, Figure, GestureManner, Hair, Legwear, Looks, Physique, Sex
+from ...model.figure import AVERAGE_HEIGHT_M, PLAIN, Figure, GestureManner, Hair, Legwear, Looks, Physique, Sex, Wait
 from ...yaml_files import Entry, Source
 from ..candidates.vocabulary import BANNABLE
 from ..idle.saccades import TALKING
@@ -152,6 +152,7 @@ class _CharacterFile(Entry):
     stillness: float = Field(default=0.0, ge=0, le=1)
     eye_contact: float = Field(default=TALKING.eye_contact, ge=0.05, le=0.95)
     rest_poses: tuple[str, ...] = ("rest_on_left_leg", "rest_on_right_leg")
+    between_gestures: tuple[Literal["belly", "uneven", "one", "hip", "pocket", "forearm", "open"], ...] = ()
     behaviors: dict[str, BehaviorChange] = Field(default_factory=dict)
     always: tuple[str, ...] = ()
     never: Annotated[dict[str, str | None], BeforeValidator(_without_instead)] = Field(default_factory=dict)
@@ -167,6 +168,7 @@ class _CharacterFile(Entry):
             Looks(**looks | {"hair": Hair(self.looks.hair), "legwear": Legwear(self.looks.legwear)}),
             GestureManner(**self.gestures.model_dump()),
             Hand(self.handedness),
+            tuple(map(Wait, self.between_gestures)),
         )
 
 

@@ -4,6 +4,7 @@ The classes are the schema of the file as well, whose comments explain the keys.
 does no more than its schedule asks: every amount is 0.
 """
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from math import inf
 from pathlib import Path
@@ -11,6 +12,7 @@ from typing import Annotated, ClassVar, TypeAlias
 
 from pydantic import AfterValidator, ConfigDict, Field
 
+from ...model.figure import Wait
 from ...yaml_files import Entry, Source
 
 
@@ -28,7 +30,9 @@ Bend: TypeAlias = Annotated[float, Field(ge=0, le=60)]
 Lift: TypeAlias = Annotated[float, Field(ge=-0.2, le=0.2)]
 Metres: TypeAlias = Annotated[float, Field(ge=0, le=0.4)]
 Hertz: TypeAlias = Annotated[float, Field(ge=0.01, le=2)]
+Weight: TypeAlias = Annotated[float, Field(ge=0, le=100)]
 Speed: TypeAlias = Annotated[float, Field(ge=0, le=2)]
+Unhurried: TypeAlias = Annotated[float, Field(ge=0.2, le=2)]
 Factor: TypeAlias = Annotated[float, Field(gt=0, le=4)]
 Factors: TypeAlias = Annotated[tuple[Factor, Factor], AfterValidator(_rising)]
 Shares: TypeAlias = Annotated[tuple[Share, Share], AfterValidator(_rising)]
@@ -69,7 +73,7 @@ class Strokes:
 
     __pydantic_config__: ClassVar[ConfigDict] = _STRICT
     speed_m_s: tuple[Speed, Speed, Speed] = (0.0, 0.0, 0.0)
-    fastest_m_s: tuple[Speed, Speed, Speed] = (1.0, 1.0, 1.0)
+    fastest_m_s: tuple[Speed, Speed, Speed] = (1.4, 1.4, 1.4)
     variety: Factors = (1.0, 1.0)
     shortest_s: Seconds = 0.0
     lift_m: tuple[Lift, Lift, Lift] = (0.0, 0.0, 0.0)
@@ -81,7 +85,7 @@ class Strokes:
 @dataclass(frozen=True, slots=True)
 class Retractions:
     __pydantic_config__: ClassVar[ConfigDict] = _STRICT
-    speed_m_s: Annotated[float, Field(ge=0.2, le=2)] = 1.0
+    speed_m_s: tuple[Unhurried, Unhurried, Unhurried] = (1.0, 1.0, 1.0)
     variety: Factors = (1.0, 1.0)
     arc_deg: Degrees = 0.0
 
@@ -92,6 +96,33 @@ class Lap:
     longest_gap_s: tuple[Annotated[float, Field(ge=0)], ...] = (0.0, 0.0, 0.0)
     beats: tuple[Share, Share, Share] = (0.0, 0.0, 0.0)
     lift_m: tuple[Metres, Metres, Metres] = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class Waits:
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    belly: tuple[Weight, Weight, Weight] = (1.0, 1.0, 1.0)
+    uneven: tuple[Weight, Weight, Weight] = (0.0, 0.0, 0.0)
+    one: tuple[Weight, Weight, Weight] = (0.0, 0.0, 0.0)
+    hip: tuple[Weight, Weight, Weight] = (0.0, 0.0, 0.0)
+    pocket: tuple[Weight, Weight, Weight] = (0.0, 0.0, 0.0)
+    forearm: tuple[Weight, Weight, Weight] = (0.0, 0.0, 0.0)
+    open: tuple[Weight, Weight, Weight] = (0.0, 0.0, 0.0)
+
+    def only(self, waits: Sequence[Wait]) -> "Waits":
+        """Those of a character, or all if it has none of its own; what others never do it does as often as anything."""
+        if not waits:
+            return self
+        given = {wait.value: getattr(self, wait) for wait in waits}
+        return Waits(
+            **{wait.value: (0.0, 0.0, 0.0) for wait in Wait}
+            | {name: weights if any(weights) else (1.0, 1.0, 1.0) for name, weights in given.items()}
+        )
+
+    def weights(self, level: int) -> Mapping[Wait, float]:
+        """Those with a weight at the level; both hands before the belly if none has."""
+        found = {wait: getattr(self, wait)[level] for wait in Wait}
+        return {wait: weight for wait, weight in found.items() if weight} or {Wait.BELLY: 1.0}
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,6 +185,7 @@ class MovementStyle:
     strokes: Strokes = Strokes()
     retractions: Retractions = Retractions()
     lap: Lap = Lap()
+    waits: Waits = Waits()
     dragging: Dragging = Dragging()
     ends: Ends = Ends()
 
@@ -173,6 +205,7 @@ class _MovementFile(Entry):
     strokes: Strokes
     retractions: Retractions
     lap: Lap
+    waits: Waits
     dragging: Dragging
     ends: Ends
 

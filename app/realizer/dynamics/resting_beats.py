@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ...model import Hand, Interval
-from ..arms.rest_poses import LAPS
+from ...model import Hand, Interval, Level
+from ..arms.rest_poses import resting
 from ..body.movement_style import Lap
 from ..gestures.gesture_plan import ArmRest, Repeat
 
@@ -21,7 +21,7 @@ _LIFT_S = 0.42
 _SETTLED_S = 0.15
 """Before and after a rest's ends no beat is made."""
 _OTHER_SHARE, _OTHER_LAG_S = 0.6, 0.05
-_STEPS_S = (0.5, 0.9)
+_STEPS_S = (0.45, 0.75)
 _UNSTRESSED = 0.65
 """How high a beat is that is on no stressed word."""
 
@@ -39,9 +39,10 @@ def with_beats(
 ) -> ArmRest:
     """The rest with beats on emphases in it, and smaller ones where nothing is stressed for long in a phrase; which
     ones and how high depends on the seed and the time alone."""
-    if rest.pose not in LAPS or not any(lap.lift_m):
+    ready_at = resting(rest.pose, rest.side).ready_at
+    if ready_at is None or not any(lap.lift_m):
         return rest
-    level = LAPS.index(rest.pose)
+    level = list(Level).index(ready_at)
     lag_s, share = (0.0, 1.0) if rest.side is habits.leading else (_OTHER_LAG_S, _OTHER_SHARE)
     last_s, beats = rest.start_s + _SETTLED_S, []
     for at_s, height in _times(emphases_s, phrases, lap.beats[level], habits.seed):

@@ -16,7 +16,7 @@ from ...model import FloatArray, Hand, Level
 from ..arms.wrist_paths import amplitude, distance_m, stroke_end_m, stroke_start_m, wrist_m
 from ..body.movement_style import Strokes
 from ..gestures.brief_strokes import in_less_time
-from ..gestures.gesture import ArmKey, Clip, Markers
+from ..gestures.gesture import ArmKey, Clip, Markers, TrackForm
 from ..gestures.gesture_plan import PlacedGesture
 from ..gestures.gesture_space import sector_m
 
@@ -26,8 +26,6 @@ _WOUND_UP_M_S = 1.1
 """The fastest mean speed of a stroke that is wound up, in its own time."""
 _USUAL_POWER = 0.5
 """A stroke that is quick stops abruptly by itself; more power would make its middle faster still."""
-_MOST_M_S = 1.40
-"""From key to key: wrists stay below 3 m/s."""
 _SLOWEST = 2.0
 """How many times as long as it is a stroke may be made."""
 _LEAST_SIZE = 0.5
@@ -48,26 +46,31 @@ def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -
     """The gesture with a stroke as fast as is drawn for it, or as long as it is asked to be; unchanged where it is as
     fast already."""
     clip = placed.clip
-    if placed.request.asked.stroke_s is not None:
-        return _lasting(placed, placed.request.asked.stroke_s)
-    pace = float(rng.uniform(*strokes.variety))
     level = _LEVELS.index(clip.level)
+    if placed.request.asked.stroke_s is not None:
+        return _lasting(placed, placed.request.asked.stroke_s, strokes.fastest_m_s[level])
+    pace = float(rng.uniform(*strokes.variety))
     wanted_m_s = min(strokes.fastest_m_s[level], pace * strokes.speed_m_s[level] * _quickness(placed))
     way_m, fastest_m_s = _stroke_m(placed)
-    if not wanted_m_s or clip.category in strokes.unhurried or way_m < _SHORTEST_M:
+    if not wanted_m_s or clip.category in strokes.unhurried or way_m < _SHORTEST_M or _circles(clip):
         return placed
     stroke_s = clip.markers.stroke_end - clip.markers.stroke_start
     share = max(way_m / stroke_s / wanted_m_s, max(_LEAST_S, strokes.shortest_s / pace) / stroke_s)
-    share = max(share, fastest_m_s / _MOST_M_S)
+    share = max(share, fastest_m_s / strokes.fastest_m_s[level])
     share = max(share, _CAREFUL) if _is_close(placed) else share
     return placed if share >= 1 else replace(placed, clip=quickened(clip, share))
 
 
-def _lasting(placed: PlacedGesture, length_s: float) -> PlacedGesture:
+def _lasting(placed: PlacedGesture, length_s: float, most_m_s: float) -> PlacedGesture:
     """The gesture with a stroke of this length, within what a hand can do and still strikes."""
     stroke_s = placed.clip.markers.stroke_end - placed.clip.markers.stroke_start
-    fastest = max(_stroke_m(placed)[1] / _MOST_M_S, min(1.0, _LEAST_S / stroke_s))
+    fastest = max(_stroke_m(placed)[1] / most_m_s, min(1.0, _LEAST_S / stroke_s))
     return replace(placed, clip=quickened(placed.clip, min(max(length_s / stroke_s, fastest), _SLOWEST)))
+
+
+def _circles(clip: Clip) -> bool:
+    """Whether the arm goes round besides, within the time of the stroke."""
+    return any(track.form is TrackForm.CIRCLING for track in clip.tracks)
 
 
 def _is_close(placed: PlacedGesture) -> bool:
@@ -129,7 +132,7 @@ def wound_up(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
     longest_m = manner.amplitude * min(strokes.longest_m[level], _WOUND_UP_M_S * stroke_s * manner.speed)
     farther = 1 + _more(manner.amplitude) * (strokes.wind_up[level] - 1)
     factor = min(farther, longest_m / max(way_m, _SHORTEST_M))
-    if not free or factor <= 1 or way_m < _SHORTEST_M or amplitude(placed) < _LEAST_SIZE:
+    if not free or _circles(clip) or factor <= 1 or way_m < _SHORTEST_M or amplitude(placed) < _LEAST_SIZE:
         return placed
     begins = clip.markers.ready, clip.markers.stroke_start
     keys = tuple(

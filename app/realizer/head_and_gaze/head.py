@@ -38,16 +38,24 @@ _CALMED = 0.75
 
 
 def apply_head_movements(
-    skeleton: Skeleton, body: BodyMotion, schedule: Schedule, *, seed: int, seen_m: FloatArray | None = None
+    skeleton: Skeleton,
+    body: BodyMotion,
+    schedule: Schedule,
+    *,
+    seed: int,
+    seen_m: FloatArray | None = None,
+    trunk_s: FloatArray | None = None,
 ) -> BodyMotion:
     """The body with the schedule's head movements on neck and head, and idle movement of trunk, neck and head.
-    `seen_m` (T, 3) is where the eyes look, which saves finding it out."""
+    `seen_m` (T, 3) is where the eyes look, which saves finding it out; `trunk_s` (T,) are the times at which the trunk
+    is as it is in the frames, if others than theirs."""
     times_s, rotations, frame_s = body.times_s, body.rotations.copy(), float(body.times_s[1] - body.times_s[0])
     joints, eyes, trunk = skeleton.chain("neck", "head"), skeleton.chain(*EYES), skeleton.rows(*TRUNK)
     seen_m = _seen_m(skeleton, body) if seen_m is None else seen_m
     neck, skull = (rotations[:, joint] for joint in joints)
     idle = head_attitude(times_s, schedule, seed=seed)
-    share = from_pitch_yaw_roll(*(idle.trunk.T / len(TRUNK)))
+    trunk_s = times_s if trunk_s is None else trunk_s
+    share = from_pitch_yaw_roll(*(np.interp(trunk_s, times_s, angle) / len(TRUNK) for angle in idle.trunk.T))
     rotations[:, trunk] = multiply(rotations[:, trunk], share[:, None])
     neck_turn, head_turn = _turns(times_s, schedule, idle)
     neck, skull = multiply(neck, from_pitch_yaw_roll(*neck_turn.T)), multiply(skull, from_pitch_yaw_roll(*head_turn.T))

@@ -10,7 +10,6 @@ spread hand are not told apart from far away.
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -106,19 +105,28 @@ def _form(clip: Clip) -> HandForm:
 
 def likenesses(poses: Sequence[StrokePose]) -> Iterator[Likeness]:
     """The pairs that look alike, those of one category too."""
-    for one, other in combinations(poses, 2):
-        apart_m, apart_deg = _apart(one.ends, other.ends)
-        if apart_m < NEAR_M and apart_deg < NEAR_DEG and one.form is other.form:
-            begin_m, begin_deg = _apart(one.begins, other.begins)
-            twins = begin_m < NEAR_M and begin_deg < NEAR_DEG
-            yield Likeness(one.clip.name, other.clip.name, apart_m, apart_deg, twins)
+    ends_m, ends_deg = _apart([each.ends for each in poses])
+    begins_m, begins_deg = _apart([each.begins for each in poses])
+    alike = np.triu(_near(ends_m, ends_deg), k=1)
+    twins = _near(begins_m, begins_deg)
+    for row, column in np.argwhere(alike):
+        one, other = poses[row], poses[column]
+        if one.form is other.form:
+            apart_m, apart_deg = float(ends_m[row, column]), float(ends_deg[row, column])
+            yield Likeness(one.clip.name, other.clip.name, apart_m, apart_deg, bool(twins[row, column]))
 
 
-def _apart(one: HandsPose, other: HandsPose) -> tuple[float, float]:
-    """How far the wrists (metres) and the palms (degrees) are apart, the wider of both hands."""
-    away_m = float(np.linalg.norm(one.wrists_m - other.wrists_m, axis=1).max())
-    cosines = np.clip(np.sum(one.palms * other.palms, axis=1), -1.0, 1.0)
-    return away_m, float(np.degrees(np.arccos(cosines.min())))
+def _apart(hands: Sequence[HandsPose]) -> tuple[FloatArray, FloatArray]:
+    """How far the wrists (metres) and the palms (degrees) of each two are apart (N, N), the wider of both hands."""
+    wrists_m = np.stack([each.wrists_m for each in hands])
+    palms = np.stack([each.palms for each in hands])
+    away_m = np.linalg.norm(wrists_m[:, None] - wrists_m, axis=-1).max(axis=-1)
+    cosines = np.clip(np.einsum("ish,jsh->ijs", palms, palms), -1.0, 1.0)
+    return away_m, np.degrees(np.arccos(cosines.min(axis=-1)))
+
+
+def _near(apart_m: FloatArray, apart_deg: FloatArray) -> NDArray[np.bool_]:
+    return np.asarray((apart_m < NEAR_M) & (apart_deg < NEAR_DEG))
 
 
 def draw_silhouettes(skeleton: Skeleton, poses: Sequence[StrokePose], *, columns: int = 8, named: bool = True) -> bytes:

@@ -12,7 +12,8 @@ from itertools import pairwise
 from math import inf
 
 from ...model import Hand
-from ..arms.rest_poses import LAPS
+from ...model.figure import Wait
+from ..arms.rest_poses import WAITS
 from ..arms.wrist_paths import relax_m, stroke_start_m
 from ..gestures.gesture import Markers
 from ..gestures.gesture_plan import ArmGesture, ArmRest, PlacedGesture
@@ -32,6 +33,12 @@ from .transitions import TransitionContext, blends, in_same_unit, natural_prepar
 SHORTEST_STAY_S = 1.0
 """A hand does not go to a rest pose that changes again within this time."""
 
+
+EASED_SHARE = 0.6
+"""Of the time in which bodies gather speed, what is lost to a way that begins there: they make up for it later."""
+
+SOON_S = 1.0
+"""Before a first stroke that comes sooner both hands are before the belly, from where it is not far."""
 
 MOST_STRETCHED = 1.5
 """How many times its natural time a way may take before a hold fills the time instead."""
@@ -74,14 +81,18 @@ def rest_changes(units: Sequence[Sequence[PlacedGesture]], setting: TransitionCo
     starts_s = [min(each.stroke_start_s for each in unit) for unit in units]
     two_handed = [False, *(any(len(each.arms) == 2 for each in unit) for unit in units)]
     gaps_s = [start_s - end_s for end_s, start_s in zip(ends_s, starts_s, strict=False)]
+    lasts = [max(unit, key=lambda each: each.relax_s) for unit in units]
+    waits = setting.waits([*(unit[0] for unit in units[:1]), *lasts])
+    waits = (Wait.BELLY, *waits[1:]) if starts_s and starts_s[0] < SOON_S else waits
     poses = [
-        setting.gap_pose(gap_s, together=before or after)
-        for gap_s, (before, after) in zip(gaps_s, pairwise(two_handed), strict=True)
+        setting.gap_pose(gap_s, wait, together=before or after)
+        for gap_s, wait, (before, after) in zip(gaps_s, waits, pairwise(two_handed), strict=False)
     ]
-    if poses and setting.end_s == inf and poses[0] in LAPS:
+    if poses and setting.end_s == inf and poses[0] in WAITS:
         poses[0] = AT_SIDE
-    last = setting.gap_pose(setting.end_s - ends_s[-1], together=False) if units else AT_SIDE
-    by_gap = tuple(zip(ends_s, [*poses, last if last in LAPS else AT_SIDE], strict=True))
+    left_s = setting.end_s - ends_s[-1]
+    last = setting.gap_pose(left_s, waits[-1], together=False) if units else AT_SIDE
+    by_gap = tuple(zip(ends_s, [*poses, last if last in WAITS else AT_SIDE], strict=True))
     times_s = sorted({*ends_s, *(from_s for from_s, _pose in setting.postures)})
     changes = [
         RestChange(time_s, posture_pose(setting.postures, time_s) or _in_force(by_gap, time_s)) for time_s in times_s
@@ -154,7 +165,8 @@ def _from_the_first_frame(
     window_s = max(0.0, first.stroke_start_s - still_s)
     way_s = min(natural_s, window_s)
     ready_s = still_s + window_s - _hold_s(first, window_s - way_s)
-    progress = max(0.0, 1.0 - window_s / shortest_s)
+    hurried_s = min(window_s, setting.style.ends.eased_s)
+    progress = max(0.0, 1.0 - (window_s - EASED_SHARE * hurried_s) / shortest_s)
     return _Way(0.0, 0.0, max(still_s, ready_s - way_s), ready_s, None, first, initial_progress=progress)
 
 
@@ -263,8 +275,10 @@ def pose_on_arrival(changes: Iterable[RestChange], time_s: float) -> str:
 
 
 def _rests(side: Hand, start_s: float, end_s: float, changes: Iterable[RestChange]) -> Iterator[ArmRest]:
-    """An arm's rests from arrival to departure, with those changes of pose for which there is time."""
-    pose = pose_on_arrival(changes, start_s)
+    """An arm's rests from arrival to departure, with those changes of pose for which there is time. Hands that do not
+    stay in the first frame are not yet where they would go."""
+    leaves = start_s <= 0.0 and end_s < SHORTEST_STAY_S
+    pose = pose_at(changes, start_s) if leaves else pose_on_arrival(changes, start_s)
     for change in changes:
         if change.from_s <= start_s + SHORTEST_STAY_S or change.pose == pose:
             continue

@@ -20,11 +20,10 @@ import numpy as np
 from ...model import FloatArray, Hand
 from ..arms.arm_keys import arm_track
 from ..arms.arms import set_arms
-from ..arms.posing import wrists_of
 from ..body.motion import BodyMotion
 from ..body.movement_style import StrokeLife
 from ..body.skeleton import Skeleton, forward
-from ..dynamics.dragging import drag, eased_at_the_ends
+from ..dynamics.dragging import calm, drag, eased_at_the_ends
 from ..geometry.rotations import (
     cross,
     dot,
@@ -72,7 +71,7 @@ def apply_gestures(
     set_arms(arms, tracks, eased_s, seed=seed, noise_scale=noise_scale)
     for arm in arms:
         _smooth(arm, body.times_s)
-    wrists_m = wrists_of(skeleton, *arms)
+    wrists_m = calm(skeleton, arms, body.times_s)
     drag(arms, wrists_m, body.times_s, plan.style.dragging, seed=seed, life=noise_scale)
     follow_with_trunk(skeleton, body, wrists_m, accents)
     body.rotations[:, collarbones] = multiply(body.rotations.take(collarbones, axis=1), breath)

@@ -69,7 +69,7 @@ def plan_gestures(
     `targets_m` has the world positions of pointing targets, as for the gaze; `leading` is the hand that the character
     prefers. In an `open_ended` take hands do not hurry to rest before the end.
     """
-    setting = _setting(schedule, style, seed)
+    setting = replace(_setting(schedule, style, seed), leading=leading)
     setting = replace(setting, end_s=inf) if open_ended else setting
     chosen = chosen_clips(library, schedule, setting, seed=seed, targets_m=targets_m)
     gestures = tuple(led_by(each, leading) for each in _repeated(chosen.kept, schedule, setting, style))

@@ -65,12 +65,12 @@ class RestChange:
     pose: str
 
 
-def rest_pose_for_gap(gap_s: float, *, together: bool = True, lap: str | None = None, lap_s: float = 0.0) -> str:
+def rest_pose_for_gap(gap_s: float, *, together: bool = True, waiting: str = CLASPED, waiting_s: float = 0.0) -> str:
     """The rest pose for a gap of this length until the next unit. Hands are clasped only where both gesture before or
     after it (`together`), which is ours: by the paper's rule the second hand stays before the belly alone. In a gap
-    shorter than `lap_s` they stay before the belly, in the pose `lap`, and do not drop between two ideas."""
-    if lap is not None and gap_s < lap_s:
-        return lap
+    shorter than `waiting_s` they are in the pose `waiting`, and do not drop between two ideas."""
+    if gap_s < waiting_s:
+        return waiting
     if gap_s < SMALL_GAP_S and together:
         return CLASPED
     return AT_SIDE if gap_s < MEDIUM_GAP_S else IN_POCKETS

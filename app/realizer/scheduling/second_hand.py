@@ -12,14 +12,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ...model import Hand
-from ..arms.rest_poses import LAPS
+from ...model import Hand, Level
+from ..arms.rest_poses import HANGING, LAPS, resting
 from ..body.movement_style import MovementStyle
 from ..dynamics.drawing import drawn
 from ..gestures.gesture import Clip, ClipKey
 from ..gestures.gesture_plan import PlacedGesture
 from .arm_timelines import pose_at
-from .rests import AT_SIDE, CLASPED, RestChange
+from .rests import AT_SIDE, RestChange
 from .transitions import transition_s
 
 OTHER = {Hand.LEFT: Hand.RIGHT, Hand.RIGHT: Hand.LEFT}
@@ -86,15 +86,16 @@ def _following(
 ) -> PlacedGesture | None:
     """How the arm goes along with a gesture of the other; None if it rests or has to be elsewhere."""
     second, pose = habits.style.second_hand, pose_at(changes, max(0.0, gesture.stroke_start_s))
-    if not second.follows or pose not in (AT_SIDE, CLASPED, *LAPS):
+    rest = resting(pose, side)
+    if not second.follows or not (rest is HANGING or rest.ready_at or rest.holds):
         return None
     rng = habits.drawn(gesture)
     lag_s, share = float(rng.uniform(*second.lag_s)), float(rng.uniform(*second.share))
     follows = bool(rng.uniform() < second.follows)
-    if pose != CLASPED and not follows:
+    if not rest.holds and not follows:
         return None
     clip = _of_other_hand(gesture.clip, side)
-    basis = pose if pose in LAPS else LAPS[0] if second.near_belly and follows else AT_SIDE
+    basis = pose if rest.ready_at else LAPS[Level.LOW] if second.near_belly and follows else AT_SIDE
     made = _later(replace(gesture, clip=clip, aim_m=None, share=share if follows else 0.0, basis=basis), lag_s)
     return _between(made, list(own))
 

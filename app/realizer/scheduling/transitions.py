@@ -8,12 +8,16 @@ in the same phrase), or if there is no time to rest in between. Where singletons
 there are no units, and a rest takes no longer than hands at their fastest need for the way there and back.
 """
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
 
+import numpy as np
+
 from ...model import Hand, Interval, Level
+from ...model.figure import Wait
 from ...model.limits.gesture_limits import SLOWEST_STROKE_M_S, equal_transition_s
-from ..arms.rest_poses import LAPS
+from ..arms.rest_poses import waiting_pose
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
 from ..body.movement_style import PLAIN, MovementStyle
 from ..dynamics.drawing import drawn
@@ -30,11 +34,14 @@ from .rests import (
 
 UNIT_GAP_S = 1.5
 
+_WAIT = 2
+"""What is drawn for the way in which hands wait, beside a gesture's hands and its stroke."""
+
 
 @dataclass(frozen=True, slots=True)
 class TransitionContext:
     """The parts of a schedule that affect transitions: its phrases, the rest poses of its postures, its end, and
-    whether gestures are to be single; and how the body moves, by style, level of agitation and seed."""
+    whether gestures are to be single; and how the body moves, by style, level of agitation, seed and leading hand."""
 
     phrases: tuple[Interval, ...] = ()
     postures: tuple[tuple[float, str | None], ...] = ()
@@ -43,27 +50,53 @@ class TransitionContext:
     style: MovementStyle = PLAIN
     level: Level = Level.MEDIUM
     seed: int = 0
+    leading: Hand = Hand.RIGHT
 
     def phrase_of(self, time_s: float) -> int | None:
         """The index of the last phrase that has begun; None if there are no phrases."""
         begun = [number for number, phrase in enumerate(self.phrases) if phrase.start_s <= time_s]
         return max(begun, default=0) if self.phrases else None
 
-    def pose_in_gap(self, start_s: float, gap_s: float) -> str:
-        """The rest pose in a gap between units."""
-        return posture_pose(self.postures, start_s) or self.gap_pose(gap_s)
+    def pose_in_gap(self, first: PlacedGesture, gap_s: float) -> str:
+        """The rest pose in a gap after this gesture, if it is the last of its unit."""
+        return posture_pose(self.postures, first.relax_s) or self.gap_pose(gap_s, self.waits([first])[0])
 
-    def gap_pose(self, gap_s: float, *, together: bool = True) -> str:
-        """The rest pose in a gap in which nobody asks for another."""
-        number = list(Level).index(self.level)
-        lap_s = self.style.lap.longest_gap_s[number]
-        return rest_pose_for_gap(gap_s, together=together, lap=LAPS[number], lap_s=lap_s)
+    def gap_pose(self, gap_s: float, wait: Wait, *, together: bool = True) -> str:
+        """The rest pose in a gap in which nobody asks for another: in one that is not too long the hands wait."""
+        lap_s = self.style.lap.longest_gap_s[self._number]
+        waiting = waiting_pose(wait, self.level, self.leading)
+        return rest_pose_for_gap(gap_s, together=together, waiting=waiting, waiting_s=lap_s)
+
+    def waits(self, gestures: Sequence[PlacedGesture]) -> tuple[Wait, ...]:
+        """How hands wait beside each of the gestures: drawn by the seed and the gesture, another way than the one that
+        was drawn just before."""
+        weights = self.style.waits.weights(self._number)
+        last: Wait | None = None
+        found = []
+        for gesture in gestures:
+            rng = drawn(self.seed, gesture, _WAIT)
+            wait = _drawn_wait(rng, weights)
+            if wait is last and len(weights) > 1:
+                wait = _drawn_wait(rng, {each: weight for each, weight in weights.items() if each is not last})
+            last = wait
+            found.append(wait)
+        return tuple(found)
+
+    @property
+    def _number(self) -> int:
+        return list(Level).index(self.level)
 
     def retraction_s(self, gesture: PlacedGesture, way_m: float) -> float:
         """The time of a gesture's way to rest: each has a pace of its own."""
         retractions = self.style.retractions
         pace = float(drawn(self.seed, gesture).uniform(*retractions.variety))
-        return retraction_s(way_m, retractions.speed_m_s, pace=pace)
+        return retraction_s(way_m, retractions.speed_m_s[self._number], pace=pace)
+
+
+def _drawn_wait(rng: np.random.Generator, weights: Mapping[Wait, float]) -> Wait:
+    """One of them, by their weights."""
+    waits, shares = list(weights), np.array(list(weights.values()))
+    return waits[int(rng.choice(len(waits), p=shares / shares.sum()))]
 
 
 def gap_s(first: PlacedGesture, second: PlacedGesture) -> float:
@@ -86,7 +119,7 @@ def blends(first: PlacedGesture, second: PlacedGesture, side: Hand, setting: Tra
 
 def _rest_between_s(first: PlacedGesture, second: PlacedGesture, side: Hand, setting: TransitionContext) -> float:
     """The time needed to return to rest and come back."""
-    pose = setting.pose_in_gap(first.relax_s, gap_s(first, second))
+    pose = setting.pose_in_gap(first, gap_s(first, second))
     there_m, back_m = (rest_way_m(pose, side, at_m) for at_m in (relax_m(first, side), stroke_start_m(second, side)))
     if setting.singletons or _rest_is_asked(first, second):
         return shortest_way_s(there_m) + shortest_way_s(back_m)

@@ -11,7 +11,7 @@ from understudy.profiles.annotation.spans import DEPTHS, HEIGHTS, RESTS, SIDEWAY
 from understudy.profiles.files.reading import read_profile
 from understudy.profiles.files.writing import profile_yaml
 from understudy.profiles.learning.learning import learn
-from understudy.realizer.arms.rest_poses import LAPS, LIFTED
+from understudy.realizer.arms.rest_poses import LIFTED, WAITS
 from understudy.realizer.arms.rest_poses import RESTS as POSES
 from understudy.realizer.gestures.gesture import Depth, HeightSector, Sideways
 
@@ -88,4 +88,4 @@ def test_words_are_those_of_the_realizer() -> None:
     assert tuple(Sideways) == SIDEWAYS
     assert tuple(HeightSector) == HEIGHTS
     assert tuple(Depth) == DEPTHS
-    assert set(RESTS) == set(POSES) - {*LAPS, LIFTED}  # between ideas, by level: not for authors to choose
+    assert set(RESTS) == set(POSES) - {*WAITS, LIFTED}  # between ideas, by level: not for authors to choose

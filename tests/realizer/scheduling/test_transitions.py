@@ -1,10 +1,14 @@
 """Ways between neighbours, by the arithmetic of §3.8."""
 
+from itertools import pairwise
+
 import pytest
 
 from tests.support.motion.gesture_clips import clip, gesture
 from understudy.model import Hand, Interval, Schedule
+from understudy.model.figure import Wait
 from understudy.model.limits.gesture_limits import EASY_TRANSITION_S, SLOWEST_STROKE_M_S, TOP_STROKE_SPEED_M_S
+from understudy.realizer.body.movement_style import MovementStyle, Waits
 from understudy.realizer.gestures.gesture import Clip
 from understudy.realizer.gestures.gesture_plan import PlacedGesture
 from understudy.realizer.scheduling.selection import place_clip, requests_of
@@ -74,3 +78,19 @@ def test_singletons_rest_between_neighbours_as_soon_as_hands_can() -> None:
     assert blends(first, second, Hand.RIGHT, TransitionContext(one))
     assert not blends(first, second, Hand.RIGHT, TransitionContext(one, singletons=True))
     assert blends(first, at(3.0, 3.5), Hand.RIGHT, TransitionContext(one, singletons=True)), "no time at all"
+
+
+def test_hands_wait_another_way_each_time_by_the_seed() -> None:
+    gestures = [at(2.0 + 3 * number, 2.5 + 3 * number) for number in range(40)]
+    style = MovementStyle(waits=Waits(belly=(1, 1, 1), one=(1, 1, 1), hip=(0, 1, 1)))
+    ways = [TransitionContext(style=style, seed=seed).waits(gestures) for seed in (1, 2)]
+    for found in ways:
+        assert all(one is not other for one, other in pairwise(found))
+        assert set(found) == {Wait.BELLY, Wait.ONE, Wait.HIP}
+    assert ways[0] != ways[1]
+
+
+def test_characters_keep_to_their_own_ways_of_waiting() -> None:
+    waits = Waits(belly=(1, 1, 1), one=(2, 1, 0)).only((Wait.ONE, Wait.OPEN))
+    assert waits.weights(0) == {Wait.ONE: 2.0, Wait.OPEN: 1.0}
+    assert waits.weights(2) == {Wait.OPEN: 1.0}
