@@ -35,7 +35,7 @@ _MOST_RAD = float(np.radians(32.0))
 
 _MIDDLE_JOINTS, _CLOSED = slice(8, 19, 3), 1.5
 """The intermediate joints of the fingers, and twice the sine of half their bend in a hand that is nearly a fist."""
-_POINTING = 0.6
+_POINTING, _RELAXED = 0.7, 0.6
 _SOFT_RAD, _MOST_CURL_RAD = float(np.radians(3.0)), float(np.radians(16.0))
 
 _ASIDE = 0.4
@@ -48,7 +48,7 @@ _AT_EASE = 0.6
 _STANDS_S = 0.02
 """How long the clock of arms and trunk stands at either end."""
 
-_FASTEST_M_S = 2.45
+_FASTEST_M_S = 2.65
 """Of a wrist beside the trunk, which adds its own speed: none is faster than 3 m/s on the whole."""
 _ROUNDS, _CALMER_S, _AROUND_S = 8, 0.045, 0.08
 _NEAR = 0.15
@@ -104,7 +104,8 @@ def _within(curled: FloatArray, arm: FloatArray) -> FloatArray:
     """Curls (T, 4) that fingers have room for: none stretches further, a closed one hardly curls more, and one that is
     straight beside closed ones, as it points or counts, stays nearly so."""
     closed = np.clip(2 * np.abs(arm[:, _MIDDLE_JOINTS, 2]) / _CLOSED, 0.0, 1.0)
-    free = (1 - closed) * (1 - _POINTING * closed.max(axis=1, keepdims=True))
+    beside = np.clip((closed.max(axis=1, keepdims=True) - _RELAXED) / (1 - _RELAXED), 0.0, 1.0)
+    free = (1 - closed) * (1 - _POINTING * beside)
     flexed = _SOFT_RAD * np.logaddexp(0.0, curled / _SOFT_RAD)
     return np.asarray(free * _MOST_CURL_RAD * np.tanh(flexed / _MOST_CURL_RAD))
 

@@ -8,6 +8,7 @@ faster.
 """
 
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
@@ -34,6 +35,8 @@ _SHORTEST_M = 0.05
 """Strokes of the wrist or the fingers alone are neither wound up nor quickened."""
 _NOT_NEARER_M: FloatArray = np.array([0.02, -0.02, 0.19])
 """A hand that is drawn back stays on its side, over the hips and before the body."""
+_NOT_NEARER_BOTH_M: FloatArray = np.array([0.11, -0.02, 0.19])
+"""Two stay apart as well, by their own lengths."""
 _HEAD_M, _BODY_M, _CAREFUL = 0.52, 0.18, 0.9
 """Strokes that end above the shoulders or before the body are hardly quickened."""
 _HIGHEST_M = 0.36
@@ -135,11 +138,13 @@ def wound_up(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
     if not free or _circles(clip) or factor <= 1 or way_m < _SHORTEST_M or amplitude(placed) < _LEAST_SIZE:
         return placed
     begins = clip.markers.ready, clip.markers.stroke_start
+    nearest_m = _NOT_NEARER_M if len(ends_m) == 1 else _NOT_NEARER_BOTH_M
+    back = partial(_drawn_back, factor=factor, size=amplitude(placed), nearest_m=nearest_m)
     keys = tuple(
         replace(
             key,
-            left=_drawn_back(key.left, ends_m.get(Hand.LEFT), factor, amplitude(placed)),
-            right=_drawn_back(key.right, ends_m.get(Hand.RIGHT), factor, amplitude(placed)),
+            left=back(key.left, ends_m.get(Hand.LEFT)),
+            right=back(key.right, ends_m.get(Hand.RIGHT)),
         )
         if begins[0] <= key.time_s <= begins[1]
         else key
@@ -153,12 +158,14 @@ def _more(amplitude: float) -> float:
     return max(2 * amplitude - 1, 0.0)
 
 
-def _drawn_back(arm: ArmKey | None, end_m: FloatArray | None, factor: float, size: float) -> ArmKey | None:
+def _drawn_back(
+    arm: ArmKey | None, end_m: FloatArray | None, *, factor: float, size: float, nearest_m: FloatArray
+) -> ArmKey | None:
     if arm is None or arm.place is None or end_m is None:
         return arm
     start_m = sector_m(arm.place, size)
     farther_m = end_m + factor * (start_m - end_m)
-    farther_m = np.maximum(farther_m, np.minimum(start_m, _NOT_NEARER_M))
+    farther_m = np.maximum(farther_m, np.minimum(start_m, nearest_m))
     moved = (farther_m - start_m) / size
     out, up, away = (float(part + more) for part, more in zip(arm.place.offset_m, moved, strict=True))
     return replace(arm, place=replace(arm.place, offset_m=(out, up, away)))
