@@ -35,10 +35,11 @@ _LONG_M = 0.4
 
 def category_shown(request: GestureRequest) -> tuple[str, Hand]:
     """The category of gestures, and the hand, that show the slots of a request: its own where they say nothing that
-    another would show better."""
+    another would show better. Both hands show a size, where the words say one besides a height."""
     slots, lexeme, hand = request.slots or Slots(), request.category, request.hand
+    both_sized = hand is Hand.BOTH and slots.size_m is not None
     one_hand = Hand.RIGHT if hand is Hand.BOTH else hand
-    if slots.height_m is not None:
+    if slots.height_m is not None and not both_sized:
         return ("HEIGHT_HIGH" if slots.height_m > _HIGH_M else "HEIGHT_LOW"), one_hand
     if slots.size_m is not None:
         return _sized(slots.size_m, lexeme, hand)
