@@ -38,6 +38,13 @@ def head_speeds_degrees_s(motion: Motion, skeleton: Skeleton) -> FloatArray:
     return np.degrees(angle_between(head[1:], head[:-1])) * motion.frame_rate_hz
 
 
+def wrist_speeds_m_s(motion: Motion, skeleton: Skeleton) -> FloatArray:
+    """The speeds (T - 1, 2) of the left and the right wrist in the world."""
+    places_m, _turned = forward(skeleton, motion.body.rotations, motion.body.hips_m)
+    wrists_m = places_m[:, skeleton.chain("leftHand", "rightHand")]
+    return np.asarray(np.linalg.norm(np.diff(wrists_m, axis=0), axis=2) * motion.frame_rate_hz)
+
+
 def _not_in_range(motion: Motion) -> Iterator[str]:
     if motion.shapes.min() < 0 or motion.shapes.max() > 1:
         yield f"a face weight of {motion.shapes.min():.3f} or {motion.shapes.max():.3f}"

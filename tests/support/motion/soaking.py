@@ -7,7 +7,7 @@ from itertools import product
 import numpy as np
 
 from tests.support.bml.bml_checker import check
-from tests.support.motion.motion_limits import broken_limits
+from tests.support.motion.motion_limits import broken_limits, wrist_speeds_m_s
 from understudy.acoustic.stage import hear_manners
 from understudy.bml.writing.writer import write_bml
 from understudy.model import Agitation, Analysis, Level, Performance
@@ -21,6 +21,7 @@ from understudy.rules.derivation import understand
 
 DEEPEST_M = 0.01
 """How far a hand or forearm may be inside the body."""
+FASTEST_WRIST_M_S = 3.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,8 +46,10 @@ def broken_by(understudy: Understudy, analysis: Analysis, variant: Variant, *, p
     skeleton = realizer.performer(schedule.character).skeleton
     deepest_m = float(np.max(penetrations_m(skeleton, motion.body.rotations, motion.body.hips_m)))
     deep = [f"a hand or forearm {100 * deepest_m:.1f} cm inside the body"] if deepest_m > DEEPEST_M else []
+    fastest_m_s = float(wrist_speeds_m_s(motion, skeleton).max(initial=0.0))
+    fast = [f"a wrist at {fastest_m_s:.2f} m/s"] if fastest_m_s > FASTEST_WRIST_M_S else []
     fallen = [told.reason for told in motion.decisions if "fall" in told.reason]
-    return [*_broken_schedule(performance), *broken_limits(motion, skeleton), *deep, *fallen]
+    return [*_broken_schedule(performance), *broken_limits(motion, skeleton), *deep, *fast, *fallen]
 
 
 def performed(understudy: Understudy, analysis: Analysis, variant: Variant) -> Performance:
