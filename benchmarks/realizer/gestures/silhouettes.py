@@ -1,6 +1,6 @@
 """All gestures as silhouettes at the end of their strokes, and the pairs of different meaning that look alike.
 
-    python -m benchmarks.realizer.gestures.silhouettes [--level LEVEL] [--output SHEET.png]
+    python -m benchmarks.realizer.gestures.silhouettes [--level LEVEL] [--output SHEET.png] [--record]
 
 Gestures mean the same if they share a category, or a family of lexicon/acting/families.yaml; what looks alike is in
 `understudy.realizer.pictures.silhouettes`. The sheet needs matplotlib (`understudy[plot]`).
@@ -13,6 +13,7 @@ from pathlib import Path
 
 import yaml
 
+from benchmarks.figures import add_record_option, record
 from understudy.model import Hand, Level
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.gestures.clips import clip
@@ -28,6 +29,7 @@ def main() -> None:
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument("--level", type=Level, choices=list(Level), default=Level.MEDIUM)
     arguments.add_argument("--output", type=Path)
+    add_record_option(arguments)
     options = arguments.parse_args()
     library = Library.load(LEXICON / "gestures")
     poses = stroke_poses(library, options.level)
@@ -36,6 +38,9 @@ def main() -> None:
     print(f"{len(poses)} gestures; {len(found)} pairs of different meaning look alike, {len(twins)} from the start on")
     for each in sorted(twins, key=lambda pair: pair.apart_m):
         print(f"{100 * each.apart_m:5.1f} cm {each.apart_deg:3.0f} degrees  {each.one}, {each.other}")
+    if options.record:
+        record("bodies", "gestures of different meaning that look alike, pairs", len(found))
+        record("bodies", "gestures of different meaning that look alike from the start on, pairs", len(twins))
     if options.output:
         options.output.write_bytes(draw_silhouettes(Skeleton.standing(), poses, columns=16))
 
