@@ -48,7 +48,7 @@ _AT_EASE = 0.6
 _STANDS_S = 0.02
 """How long the clock of arms and trunk stands at either end."""
 
-_FASTEST_M_S = 2.65
+_FASTEST_M_S = 2.5
 """Of a wrist beside the trunk, which adds its own speed: none is faster than 3 m/s on the whole."""
 _ROUNDS, _CALMER_S, _AROUND_S = 8, 0.045, 0.08
 _NEAR = 0.15
