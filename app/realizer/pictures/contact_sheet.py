@@ -76,7 +76,8 @@ def moments_of(motion: Motion, schedule: Schedule, *, at_most: int = AT_MOST) ->
     """The peaks of the realized behaviours, for a sheet: time, and caption with the word spoken then.
 
     The peak is the stroke, else `ready`, else the start. Peaks within `TOGETHER_S` are combined. Of more than
-    `at_most`, gestures are preferred to head movements, these to faces, gazes and postures.
+    `at_most`, gestures are preferred to head movements, these to faces, gazes and postures. Motion without behaviours
+    has `at_most` moments at equal distances.
     """
     chosen: list[tuple[float, str]] = []
     shown = [behavior for behavior in schedule.behaviors if behavior.kind in SHOWN and behavior.id in motion.realized]
@@ -88,8 +89,15 @@ def moments_of(motion: Motion, schedule: Schedule, *, at_most: int = AT_MOST) ->
             chosen[near] = (chosen[near][0], f"{chosen[near][1]} + {behavior.lexeme}")
         elif len(chosen) < at_most:
             chosen.append((peak_s, behavior.lexeme))
-    moments = sorted(chosen) or [(float(motion.body.times_s[0]), "")]
+    moments = sorted(chosen) or _spread(motion, at_most if not schedule.behaviors else 1)
     return tuple((time_s, f"{caption}\n{_word_at(schedule.words, time_s)}") for time_s, caption in moments)
+
+
+def _spread(motion: Motion, count: int) -> list[tuple[float, str]]:
+    """Moments at equal distances, for motion of which nothing says what it shows."""
+    times_s = motion.body.times_s
+    places = [round(number * (len(times_s) - 1) / max(count - 1, 1)) for number in range(count)]
+    return [(float(times_s[place]), "") for place in dict.fromkeys(places)]
 
 
 def _word_at(words: Sequence[Word], time_s: float) -> str:

@@ -1,6 +1,7 @@
 """Contact sheets are PNG, and show the poses they are given."""
 
 import io
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -90,3 +91,10 @@ def test_where_there_is_no_room_for_all_moments_gestures_stay() -> None:
 
 def test_a_motion_in_which_nothing_is_asked_for_has_one_moment() -> None:
     assert moments_of(played({}), SCHEDULE) == ((0.0, "\n"),)
+
+
+def test_motion_that_nothing_is_said_of_is_shown_at_equal_distances() -> None:
+    motion = played({})
+    times_s = motion.body.times_s
+    found = [time_s for time_s, _caption in moments_of(motion, replace(SCHEDULE, behaviors=()), at_most=3)]
+    assert found == [times_s[0], times_s[round((len(times_s) - 1) / 2)], times_s[-1]]
