@@ -1,6 +1,5 @@
 """Rules at hand: found, explained, edited with the checker's messages, tried on the line and on all examples."""
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -13,17 +12,10 @@ AFFIRMATION = "lexicon/en/affirmation.yaml"
 
 
 @pytest.fixture
-def rules(looked_at: Page) -> Iterator[Page]:
-    """The rules of one visit; what a test changed in a file is discarded after it."""
-    yield _opened_rules(looked_at)
-    if looked_at.is_enabled("#rules-back"):
-        looked_at.click("#rules-back")
-
-
-def _opened_rules(page: Page) -> Page:
-    page.click("#views >> text=Rules")
-    page.wait_for_selector("#rule-list li")
-    return page
+def rules(opened: Page) -> Page:
+    opened.click("#views >> text=Rules")
+    opened.wait_for_selector("#rule-list li")
+    return opened
 
 
 def _choose(page: Page, name: str, kind: str) -> None:
@@ -78,15 +70,16 @@ def test_a_mistake_shows_its_line_and_wrong_rules_cannot_be_run(rules: Page) -> 
     assert text[start:].startswith("bigger_nod(")
 
 
-def test_an_edited_rule_changes_the_line_and_undo_takes_it_back(opened: Page) -> None:
+def test_an_edited_rule_changes_the_line_and_undo_takes_it_back(rules: Page) -> None:
     """The rules that the line's functions rest on are renamed: what is performed says so."""
-    with opened.expect_response("**/perform") as first:
-        opened.click("#stage-canvas")
-        opened.fill("#seed", "1")
-        opened.press("#seed", "Tab")
+    with rules.expect_response("**/perform") as first:
+        rules.click("#views >> text=Line")
+        rules.click("#stage-canvas")
+        rules.fill("#seed", "1")
+        rules.press("#seed", "Tab")
     before = first.value.json()["performance"]["functions"]
     rule = before[0]["rule"]
-    rules = _opened_rules(opened)
+    rules.click("#views >> text=Rules")
     _choose(rules, rule, "function")
     _edit(rules, f"rule {rule}\n", "rule renamed_here\n")
     with rules.expect_response("**/perform") as edited:
@@ -116,9 +109,8 @@ def test_a_reason_leads_to_its_rule(opened: Page) -> None:
     assert opened.inner_text("#rule-explained h2 >> nth=0") in name
 
 
-def test_nobody_stumbles_over_the_rules(opened: Page) -> None:
+def test_nobody_stumbles_over_the_rules(rules: Page) -> None:
     """A word with what its loss changes in examples, then a rule with a mistake."""
-    rules = _opened_rules(opened)
     _choose(rules, "yes", "word")
     _edit(rules, "      - yes\n", "")
     rules.click("#rules-compare")
