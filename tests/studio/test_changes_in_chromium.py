@@ -33,28 +33,28 @@ def _saved(page: Page, folder: Path) -> Path:
     return path
 
 
-def test_a_mark_is_moved_by_mouse_the_motion_changes_and_is_undone(opened: Page) -> None:
-    select(opened, "gesture NEGATION")
-    before_s = _mark_s(opened, "stroke")
-    y = _row_of_gestures(opened)
-    wait_until(opened, f"Math.abs({STAGE_S} - {before_s}) < 0.002")
-    pose = _pose(opened)
-    x, _ruler = place_of(opened, before_s)
-    further, _ruler = place_of(opened, before_s + 0.6)
-    opened.mouse.move(x, y)
-    opened.mouse.down()
-    opened.mouse.move((x + further) / 2, y, steps=3)
-    opened.mouse.move(further, y, steps=3)
-    opened.mouse.up()
-    expect(opened.locator("#undo")).to_be_enabled()
-    wait_until(opened, f"Math.abs({STROKE}.value - {before_s}) > 0.5")
-    assert _mark_s(opened, "stroke") == pytest.approx(before_s + 0.6, abs=0.05)
-    expect(opened.locator("#stage-canvas")).not_to_have_attribute("data-pose", pose)
-    while opened.locator("#undo").is_enabled():
-        opened.click("#undo")
-    wait_until(opened, f"Math.abs({STROKE}.value - {before_s}) < 0.002")
-    select(opened, "gesture NEGATION")
-    expect(opened.locator("#stage-canvas")).to_have_attribute("data-pose", pose)
+def test_a_mark_is_moved_by_mouse_the_motion_changes_and_is_undone(looked_at: Page) -> None:
+    select(looked_at, "gesture NEGATION")
+    before_s = _mark_s(looked_at, "stroke")
+    y = _row_of_gestures(looked_at)
+    wait_until(looked_at, f"Math.abs({STAGE_S} - {before_s}) < 0.002")
+    pose = _pose(looked_at)
+    x, _ruler = place_of(looked_at, before_s)
+    further, _ruler = place_of(looked_at, before_s + 0.6)
+    looked_at.mouse.move(x, y)
+    looked_at.mouse.down()
+    looked_at.mouse.move((x + further) / 2, y, steps=3)
+    looked_at.mouse.move(further, y, steps=3)
+    looked_at.mouse.up()
+    expect(looked_at.locator("#undo")).to_be_enabled()
+    wait_until(looked_at, f"Math.abs({STROKE}.value - {before_s}) > 0.5")
+    assert _mark_s(looked_at, "stroke") == pytest.approx(before_s + 0.6, abs=0.05)
+    expect(looked_at.locator("#stage-canvas")).not_to_have_attribute("data-pose", pose)
+    while looked_at.locator("#undo").is_enabled():
+        looked_at.click("#undo")
+    wait_until(looked_at, f"Math.abs({STROKE}.value - {before_s}) < 0.002")
+    select(looked_at, "gesture NEGATION")
+    expect(looked_at.locator("#stage-canvas")).to_have_attribute("data-pose", pose)
 
 
 def _row_of_gestures(page: Page) -> float:
@@ -124,35 +124,35 @@ def test_a_gesture_is_replaced_from_the_browser_and_locked(opened: Page) -> None
     expect(opened.locator("#items li[title*='gesture POINT_FRONT']")).to_have_count(1)
 
 
-def test_a_gesture_is_added_on_a_word_and_taken_back(opened: Page) -> None:
-    select(opened, "word best")
-    opened.click("#add-gesture")
-    opened.locator("#gesture-family").select_option("")
-    opened.locator("#gesture-name").fill("precision")
-    opened.click("#gesture-browser button[data-lexeme=PRECISION]")
-    added = opened.locator("#items li:not(.dropped)[title*='gesture PRECISION']")
+def test_a_gesture_is_added_on_a_word_and_taken_back(looked_at: Page) -> None:
+    select(looked_at, "word best")
+    looked_at.click("#add-gesture")
+    looked_at.locator("#gesture-family").select_option("")
+    looked_at.locator("#gesture-name").fill("precision")
+    looked_at.click("#gesture-browser button[data-lexeme=PRECISION]")
+    added = looked_at.locator("#items li:not(.dropped)[title*='gesture PRECISION']")
     added.first.click()
-    opened.click("#take-back")
+    looked_at.click("#take-back")
     expect(added).to_have_count(0)
 
 
-def test_conflicts_are_shown_and_left_out(opened: Page, tmp_path: Path) -> None:
+def test_conflicts_are_shown_and_left_out(looked_at: Page, tmp_path: Path) -> None:
     edits = tmp_path / "other.edits.json"
     gone = {"of": {"channel": "gesture", "at": {"word": 0, "text": "Yes"}, "lexeme": "NOD"}, "omit": "muted"}
     edits.write_text(json.dumps({"version": 1, "behaviors": [gone]}), encoding="utf-8")
-    opened.set_input_files("#edits-file", edits)
-    conflict = opened.locator("#conflicts li[data-code=edit_word_gone]")
+    looked_at.set_input_files("#edits-file", edits)
+    conflict = looked_at.locator("#conflicts li[data-code=edit_word_gone]")
     expect(conflict).to_contain_text("the word 'Yes' is no longer in the line")
     conflict.locator("button").click()
     expect(conflict).to_have_count(0)
 
 
-def test_a_wrong_file_of_edits_shows_its_mistakes(opened: Page, tmp_path: Path) -> None:
+def test_a_wrong_file_of_edits_shows_its_mistakes(looked_at: Page, tmp_path: Path) -> None:
     for content, said in (("{", "is no file of edits"), ('{"behaviors": [{}]}', "give either of, or add and on")):
         path = tmp_path / "wrong.json"
         path.write_text(content)
-        opened.set_input_files("#edits-file", path)
-        expect(opened.locator("#problem")).to_contain_text(said)
+        looked_at.set_input_files("#edits-file", path)
+        expect(looked_at.locator("#problem")).to_contain_text(said)
 
 
 def test_another_version_stands_beside_this_one(opened: Page) -> None:
