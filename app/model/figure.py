@@ -95,7 +95,7 @@ class Wait(StrEnum):
 @dataclass(frozen=True, slots=True)
 class Figure:
     """Body, looks and manner of one character, the hand that it prefers (`leading`), and how its hands wait between two
-    gestures (none: as anybody's)."""
+    gestures (none given: in all ways)."""
 
     physique: Physique = Physique()
     looks: Looks = Looks()

@@ -54,7 +54,7 @@ _LARGEST_SEED = 2**64 - 1
 @dataclass(frozen=True, slots=True, eq=False)
 class RealizedCharacter:
     """A character as it is realized: its body, its looks, the gestures of the library in its manner, the hand that
-    leads in those of both, and how its hands wait (none: as anybody's)."""
+    leads in those of both, and how its hands wait (none given: in all ways)."""
 
     skeleton: Skeleton
     looks: Looks
