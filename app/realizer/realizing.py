@@ -20,7 +20,7 @@ from .body.motion import BodyMotion, Decision, Motion
 from .body.movement_style import Ends, MovementStyle
 from .body.proportions import Proportions
 from .body.skeleton import Skeleton
-from .dynamics.dragging import eased_at_the_ends
+from .dynamics.take_ends import eased_at_the_ends
 from .exporting.retargeting import Rig, find_rig, load_rigs
 from .face.expressions import realized_faces, unknown_faces
 from .face.face import face_weights

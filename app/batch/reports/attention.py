@@ -102,6 +102,7 @@ PLAIN: Mapping[str, tuple[str, str]] = MappingProxyType(
         "direction_unplayed": ("there is no room for what a note asks for", _NOTES),
         "gesture_unknown": ("no gesture has this name", "take the nearest name that the message gives"),
         "gesture_not_played": ("a gesture gave way", "move one of the two, as the message says"),
+        "tags_unread": ("tags of the text say nothing here", "nothing, if the words are right"),
         "smartbody_text": ("signs that SmartBody cannot read are left out", "nothing"),
         "smartbody_gaze": ("looks at nobody are left out for SmartBody", "name listeners or targets"),
         "smartbody_unnamed": ("SmartBody cannot find the recording", "name it"),

@@ -6,14 +6,6 @@ the hand a moment ago, so that a hand that is held is as its gesture has it. Bes
 all the time, each by itself.
 
 Conventions: `posing.arm_joints` has the rows of an arm; the left arm's axes, mirrored for the right arm.
-
-Bodies that gather speed in the first moments and lose it in the last ones, so that no take begins or ends in mid-move.
-
-The time of arms and trunk stands at the very ends and is up to half as fast again a little further in; in between it is
-the time of the performance, and the first and the last pose are those of the first and the last frame.
-
-Arms that are nowhere faster than hands are: where a wrist would be, the arm takes its turn less sharply, a little
-longer before and after it.
 """
 
 from collections.abc import Sequence
@@ -21,12 +13,10 @@ from collections.abc import Sequence
 import numpy as np
 
 from ...model import FloatArray
-from ..arms.posing import wrists_of
 from ..body.limits import MIRROR
 from ..body.movement_style import Dragging
-from ..body.skeleton import Skeleton
 from ..geometry.noise import Noise, perlins
-from ..geometry.rotations import from_rotation_vector, inverse, multiply, normalized, rotate
+from ..geometry.rotations import from_rotation_vector, inverse, multiply, rotate
 from ..geometry.smoothing import smoothed
 
 _COLLARBONE, _UPPER_ARM, _LOWER_ARM, _HAND, _FINGERS = 0, 1, 2, 3, slice(7, 19)
@@ -44,15 +34,6 @@ _LIFE_HZ = 0.75
 
 _AT_EASE = 0.6
 """How much fingers are curled on the whole, as a share of how far they curl and stretch about that."""
-
-_STANDS_S = 0.02
-"""How long the clock of arms and trunk stands at either end."""
-
-_FASTEST_M_S = 2.5
-"""Of a wrist beside the trunk, which adds its own speed: none is faster than 3 m/s on the whole."""
-_ROUNDS, _CALMER_S, _AROUND_S = 8, 0.045, 0.08
-_NEAR = 0.15
-"""The share of fast frames around one of which it is calmed wholly."""
 
 _JOINTS: FloatArray = np.array([1.0, 1.0, 0.7])
 """How much the three joints of a finger have of its curl."""
@@ -116,41 +97,3 @@ def _bent(bends: FloatArray) -> FloatArray:
     turned = np.zeros((*halves.shape, 4))
     turned[..., 2], turned[..., 3] = np.sin(halves), np.cos(halves)
     return turned
-
-
-def calm(skeleton: Skeleton, arms: Sequence[FloatArray], times_s: FloatArray) -> FloatArray:
-    """Smooth the left and the right arm (T, 19, 4), in place, around what is faster than `_FASTEST_M_S`; the places of
-    the wrists (2, T, 3) afterwards. The first and the last pose stay."""
-    step_s = float(times_s[1] - times_s[0]) if len(times_s) > 1 else 1.0
-    wrists_m = wrists_of(skeleton, *arms)
-    from_end_s = np.minimum(times_s - times_s[0], times_s[-1] - times_s)
-    free = np.clip(from_end_s / _AROUND_S - 1.0, 0.0, 1.0)[:, None, None]
-    for _round in range(_ROUNDS):
-        speeds = np.linalg.norm(np.diff(wrists_m, axis=1, append=wrists_m[:, -1:]), axis=2) / step_s
-        if speeds.max() <= _FASTEST_M_S:
-            return wrists_m
-        for arm, speed in zip(arms, speeds, strict=True):
-            near = smoothed((speed > _FASTEST_M_S).astype(float)[:, None], _AROUND_S / step_s)
-            weight = np.clip(near / _NEAR, 0.0, 1.0)[:, :, None]
-            calmer = smoothed(arm, _CALMER_S / step_s)
-            arm[...] = normalized(arm + free * weight * (calmer - arm))
-        wrists_m = wrists_of(skeleton, *arms)
-    return wrists_m
-
-
-def eased_at_the_ends(times_s: FloatArray, over_s: float) -> FloatArray:
-    """The times (T,) at which bodies are posed in the frames at `times_s`: at rest at both ends, as they are `over_s`
-    further in."""
-    span_s = min(over_s, float(times_s[-1] - times_s[0]) / 2)
-    if span_s <= _STANDS_S:
-        return times_s
-    since_s, left_s = times_s - times_s[0], times_s[-1] - times_s
-    return np.asarray(times_s - _behind_s(since_s, span_s) + _behind_s(left_s, span_s))
-
-
-def _behind_s(from_end_s: FloatArray, span_s: float) -> FloatArray:
-    """How far a clock that begins at rest, with no acceleration either, is behind one that does not: of the span,
-    s - r³(6 - 8r + 3r²), where r is the share of the time in which it does not stand."""
-    share = np.clip((from_end_s - _STANDS_S) / (span_s - _STANDS_S), 0.0, 1.0)
-    behind = np.minimum(from_end_s / span_s, 1.0)
-    return np.asarray(span_s * (behind - share**3 * (6.0 - share * (8.0 - 3.0 * share))))

@@ -46,6 +46,10 @@ SHORTEST_S, LONGEST_S = 0.2, 0.9
 """How long the eyes stay after the stroke's end and after its start, at least and at most."""
 BACK_S = 0.3
 
+MOST_IN_A_ROW, APART_S = 2, 0.6
+"""After so many looks, as at the two places of a contrast, the eyes are on the listener for this long at least before
+they go with a gesture again: nobody talks to their own hands."""
+
 FAR_M = 3.0
 _FINGERS_M = 0.12
 _POINTING = "POINT_"
@@ -71,12 +75,18 @@ class Look:
 
 def accompanying_looks(skeleton: Skeleton, body: BodyMotion, schedule: Schedule, plan: GesturePlan) -> tuple[Look, ...]:
     """The looks that go with the plan's gestures in the motion so far, in order; of two that are close the later one
-    begins when the first is over. None where the schedule itself has the eyes look somewhere at the stroke."""
+    begins when the first is over, but not more than `MOST_IN_A_ROW`. None where the schedule itself has the eyes look
+    somewhere at the stroke."""
     asked = [each.sync for each in schedule.behaviors if _is_gaze(each) and not gives_way(each)]
     found: list[Look] = []
+    in_a_row = 0
     for arms in _shown(plan):
         sync, markers = _times(arms[0], _last_word_s(schedule)), arms[0].markers
         if any(each.start < markers.stroke_end and markers.stroke_start < _left_s(each) for each in asked):
+            continue
+        follows = found and sync.start < _left_s(found[-1].gaze.sync) + APART_S
+        in_a_row = in_a_row + 1 if follows else 1
+        if in_a_row > MOST_IN_A_ROW:
             continue
         if found and sync.start < (found[-1].gaze.sync.relax or 0.0):
             before = found[-1].gaze

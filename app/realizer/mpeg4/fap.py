@@ -17,7 +17,6 @@ from types import MappingProxyType
 
 import numpy as np
 from pydantic import RootModel
-from scipy.optimize import lsq_linear
 from scipy.spatial.transform import Rotation
 
 from ...errors import AuthoringError, did_you_mean
@@ -88,6 +87,8 @@ class FapTable:
 
     def weights(self, values: Mapping[str, FloatArray], frames: int) -> FloatArray:
         """The weights (T, 52), in [0, 1], that come nearest to parameters (T,); those not given are 0."""
+        from scipy.optimize import lsq_linear  # imported late: only a file that is read back needs it
+
         matrix = np.zeros((len(self.amounts), len(SHAPES)))
         for row, shapes in enumerate(self.amounts.values()):
             for shape, amount in shapes.items():

@@ -23,7 +23,9 @@ from ..arms.arms import set_arms
 from ..body.motion import BodyMotion
 from ..body.movement_style import StrokeLife
 from ..body.skeleton import Skeleton, forward
-from ..dynamics.dragging import calm, drag, eased_at_the_ends
+from ..dynamics.calming import calm
+from ..dynamics.dragging import drag
+from ..dynamics.take_ends import eased_at_the_ends
 from ..geometry.rotations import (
     cross,
     dot,

@@ -5,11 +5,9 @@ import pytest
 
 from understudy.model import Behavior, Channel, FloatArray, Hand, Interval, Level, Schedule, SyncPoints
 from understudy.models import load_realizer
-from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.motion import Motion
-from understudy.realizer.body.skeleton import Skeleton, forward
-from understudy.realizer.dynamics.dragging import calm, eased_at_the_ends
-from understudy.realizer.geometry.rotations import angle_between, from_axis_angle, multiply
+from understudy.realizer.body.skeleton import forward
+from understudy.realizer.geometry.rotations import angle_between
 from understudy.realizer.realizing import Realizer, realize
 
 RATE_HZ = 60
@@ -87,30 +85,3 @@ def test_fingers_are_never_still_and_do_not_move_as_one(realizer: Realizer) -> N
         speeds_deg_s = np.degrees(angle_between(turned[1:], turned[:-1])) * RATE_HZ
         assert np.mean(speeds_deg_s.mean(axis=1) < 5.0) < 0.6
         assert np.corrcoef(speeds_deg_s.T)[0, 3] < 0.95
-
-
-def test_the_clock_of_the_arms_stands_at_the_ends_and_is_right_between() -> None:
-    times_s = np.arange(0.0, 4.0, 1 / RATE_HZ)
-    eased_s = eased_at_the_ends(times_s, 0.25)
-    inner = (times_s > 0.26) & (times_s < times_s[-1] - 0.26)
-    assert np.allclose(eased_s[inner], times_s[inner])
-    assert eased_s[[0, -1]] == pytest.approx(times_s[[0, -1]])
-    steps = np.diff(eased_s) * RATE_HZ
-    assert steps[[0, -1]].max() < 0.2
-    assert 0 <= steps.min() <= steps.max() < 1.65
-
-
-def test_no_wrist_is_faster_than_hands_are() -> None:
-    """An arm that swings by a right angle in a fifth of a second is calmed; its trunk will add its own speed."""
-    skeleton, times_s = Skeleton.standing(), np.arange(0.0, 2.0, 1 / RATE_HZ)
-    swings = np.radians(90) * np.clip((times_s - 1.0) / 0.2, 0.0, 1.0)
-    arms = [
-        np.tile(rest_pose(skeleton, side, "at_side").rotations, (len(times_s), 1, 1))
-        for side in (Hand.LEFT, Hand.RIGHT)
-    ]
-    arms[1][:, 1] = multiply(from_axis_angle((1.0, 0.0, 0.0), -swings), arms[1][:, 1])
-    before = arms[1].copy()
-    wrists_m = calm(skeleton, arms, times_s)
-    assert np.linalg.norm(np.diff(wrists_m, axis=1), axis=2).max() * RATE_HZ < FASTEST_M_S
-    assert np.allclose(arms[1][[0, -1]], before[[0, -1]])
-    assert angle_between(arms[1], before)[abs(times_s - 1.05) > 0.5].max() < 1e-6

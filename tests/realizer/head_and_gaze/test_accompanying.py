@@ -97,6 +97,17 @@ def test_looks_of_the_schedule_go_first_and_eyes_that_wander_make_way() -> None:
     assert look.hand_s - look.gaze.sync.start == pytest.approx(0.15, abs=0.001)
 
 
+def test_nobody_looks_at_their_own_hands_all_the_time() -> None:
+    """Four places one after another: the eyes go with the first two, as of a contrast, and are away for the third."""
+    strokes_s = np.array([0.5, 0.8, 0.8, 1.1, 1.1, 1.3, 1.7])
+    placed = [
+        behavior(Channel.GESTURE, lexeme, *(strokes_s + 1.2 * number), hand=hand, amount=0.5)
+        for number, (lexeme, hand) in enumerate([("PLACE_LEFT", Hand.LEFT), ("PLACE_RIGHT", Hand.RIGHT)] * 2)
+    ]
+    _body, looks = moved(schedule(*placed))
+    assert [look.gaze.target for look in looks] == [placed[number].id for number in (0, 1, 3)]
+
+
 def test_gestures_that_show_nothing_are_not_looked_at_and_all_names_exist() -> None:
     assert moved(schedule(shown("OPEN_HAND")))[1] == ()
     assert set(LIBRARY.categories) >= ALONG | AT_THE_HAND

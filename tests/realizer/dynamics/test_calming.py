@@ -1,0 +1,43 @@
+"""Arms that would be too fast."""
+
+import numpy as np
+
+from understudy.model import FloatArray, Hand
+from understudy.realizer.arms.rest_poses import rest_pose
+from understudy.realizer.body.skeleton import Skeleton
+from understudy.realizer.dynamics.calming import calm
+from understudy.realizer.geometry.rotations import angle_between, from_axis_angle, multiply
+
+RATE_HZ = 60
+FASTEST_M_S = 3.0
+
+
+def swinging(length_s: float) -> tuple[Skeleton, FloatArray, list[FloatArray]]:
+    """An arm that swings by a right angle within a fifth of a second, from 1 s on."""
+    skeleton, times_s = Skeleton.standing(), np.arange(0.0, length_s, 1 / RATE_HZ)
+    swings = np.radians(90) * np.clip((times_s - 1.0) / 0.2, 0.0, 1.0)
+    arms = [
+        np.tile(rest_pose(skeleton, side, "at_side").rotations, (len(times_s), 1, 1))
+        for side in (Hand.LEFT, Hand.RIGHT)
+    ]
+    arms[1][:, 1] = multiply(from_axis_angle((1.0, 0.0, 0.0), -swings), arms[1][:, 1])
+    return skeleton, times_s, arms
+
+
+def test_no_wrist_is_faster_than_hands_are() -> None:
+    """An arm that swings by a right angle in a fifth of a second is calmed; its trunk will add its own speed."""
+    skeleton, times_s, arms = swinging(2.0)
+    before = arms[1].copy()
+    wrists_m = calm(skeleton, arms, times_s)
+    assert np.linalg.norm(np.diff(wrists_m, axis=1), axis=2).max() * RATE_HZ < FASTEST_M_S
+    assert np.allclose(arms[1][[0, -1]], before[[0, -1]])
+    assert angle_between(arms[1], before)[abs(times_s - 1.05) > 0.5].max() < 1e-6
+
+
+def test_what_is_far_from_a_fast_move_neither_changes_nor_changes_it() -> None:
+    skeleton, times_s, arms = swinging(2.5)
+    wrists_m = calm(skeleton, arms, times_s)
+    skeleton, longer_s, longer = swinging(12.0)
+    before = longer[1].copy()
+    assert np.allclose(calm(skeleton, longer, longer_s)[:, : len(times_s)], wrists_m, atol=1e-9)
+    assert np.array_equal(longer[1][len(times_s) :], before[len(times_s) :])
