@@ -41,3 +41,15 @@ def test_what_is_far_from_a_fast_move_neither_changes_nor_changes_it() -> None:
     before = longer[1].copy()
     assert np.allclose(calm(skeleton, longer, longer_s)[:, : len(times_s)], wrists_m, atol=1e-9)
     assert np.array_equal(longer[1][len(times_s) :], before[len(times_s) :])
+
+
+def test_an_elbow_that_turns_too_fast_is_calmed_though_its_wrist_stays() -> None:
+    """A quarter turn of the forearm about itself in a twentieth of a second."""
+    skeleton, times_s, arms = swinging(2.0)
+    arms[1][:] = arms[1][0]
+    turns = np.radians(90) * np.clip((times_s - 1.0) / 0.05, 0.0, 1.0)
+    arms[1][:, 2] = multiply(arms[1][:, 2], from_axis_angle((1.0, 0.0, 0.0), turns))
+    assert angle_between(arms[1][1:, 2], arms[1][:-1, 2]).max() * RATE_HZ > 20
+    calm(skeleton, arms, times_s)
+    assert angle_between(arms[1][1:, 2], arms[1][:-1, 2]).max() * RATE_HZ < 18
+    assert angle_between(arms[1][-1, 2], arms[1][0, 2]) > np.radians(80)
