@@ -289,13 +289,13 @@ class Pool:
             await self._look()
 
     async def _look(self) -> None:
-        """Kills stopped processes and workers with too much memory, and replaces workers that died idle."""
+        """Replaces a nursery that ended or hangs and workers that died idle; kills stopped workers and those with too
+        much memory."""
         jobs = {worker: worker.jobs for worker in self._workers()}
         nursery = self.nursery
         self._seen = await asyncio.to_thread(look, tuple(jobs), self._settings.worker_memory_bytes)
-        if await asyncio.to_thread(is_stopped, nursery.pid):
-            nursery.kill()
-        if nursery.has_ended and not self._is_closed:
+        hangs = await asyncio.to_thread(is_stopped, nursery.pid)
+        if (hangs or nursery.has_ended) and not self._is_closed:
             self._renew_soon(nursery)
         for seen in self._seen:
             if seen.is_too_large and seen.worker.jobs == jobs[seen.worker]:  # else its job is another by now

@@ -131,14 +131,10 @@ class Nursery:
             raise _ended() from None
         self._wait()
 
-    def kill(self) -> None:
-        """Kills the process; the next call notices."""
-        self._process.kill()
-
     def close(self) -> None:
         """Ends the process; workers run until their own sockets are closed."""
         self._control.close()
-        self.kill()
+        self._process.kill()
         self._process.wait()
 
     def __enter__(self) -> Self:
