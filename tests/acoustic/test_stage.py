@@ -41,7 +41,7 @@ def test_who_breaks_off_leaves_neither_a_thread_nor_a_working_aligner(understudy
     with pytest.raises(KeyboardInterrupt):
         hear(understudy.acoustic, _line(), break_off)
     assert not _threads()
-    assert not _aligners() & idle
+    assert idle - _aligners()
     assert hear(understudy.acoustic, _line()).words == before.words
 
 
