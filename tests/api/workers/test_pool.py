@@ -22,7 +22,7 @@ from understudy.errors import InputError, ServiceError, TooLargeError, Understud
 from understudy.settings import Settings
 
 PATIENCE_S = 60.0
-TOO_LITTLE_BYTES = 16 * 1024 * 1024
+TOO_LITTLE_BYTES = 24 * 1024 * 1024
 """Memory beyond a worker's own that a short job does not need and the answer to a long one, 11 MB and all that is made
 on the way to it, cannot do with."""
 
