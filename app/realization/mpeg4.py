@@ -30,8 +30,9 @@ def read_mpeg4(
     moved = from_bap(bap, skeleton) if bap else None
     if bap is not None and face is None:
         fap = ReadParameters(bap.version, bap.rate_hz, bap.frames, {})
-    moved, shapes = from_fap(fap, skeleton, FapTable.load(lexicon_folder() / TABLE), moved)
-    if not fap.numbers.keys() & FapTable.load(lexicon_folder() / TABLE).amounts.keys():
+    table = FapTable.load(lexicon_folder() / TABLE)
+    moved, shapes = from_fap(fap, skeleton, table, moved)
+    if not fap.numbers.keys() & table.amounts.keys():
         shapes = named_shapes(fap, realizer.face.visemes.targets)
     motion = Motion(max(1, round(fap.rate_hz)), moved, shapes, MappingProxyType({}))
     return RealizedSchedule(Schedule((), fap.frames / fap.rate_hz, character=character), motion)

@@ -186,13 +186,18 @@ def _is_marks(text: str) -> bool:
 
 def _from_marks(text: str) -> Iterator[_Timed]:
     marks = [_mark(number, line) for number, line in enumerate(text.splitlines(), start=1) if line.strip()]
-    for place, mark in enumerate(marks):
+    found: list[_Timed] = []
+    following_s: float | None = None
+    last_s = 0.0
+    for mark in reversed(marks):
+        start_s = mark.time / 1000
         if mark.type == "word":
-            later = (each for each in marks[place + 1 :] if each.type == "word" or each.value == "sil")
-            end_s = max((each.time / 1000 for each in marks[place + 1 :]), default=0.0)
-            end_s = end_s if end_s > mark.time / 1000 else mark.time / 1000 + _USUAL_WORD_S
-            ended = next(later, None)
-            yield _Timed(mark.value, Interval(mark.time / 1000, end_s if ended is None else ended.time / 1000))
+            usual_s = last_s if last_s > start_s else start_s + _USUAL_WORD_S
+            found.append(_Timed(mark.value, Interval(start_s, usual_s if following_s is None else following_s)))
+        if mark.type == "word" or mark.value == "sil":
+            following_s = start_s
+        last_s = max(last_s, start_s)
+    yield from reversed(found)
 
 
 def _mark(number: int, line: str) -> _SpeechMark:
