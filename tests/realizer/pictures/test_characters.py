@@ -12,7 +12,7 @@ from understudy.realizer.pictures.contact_sheet import BACKGROUND, BODY_HEIGHT, 
 
 
 def test_the_taller_stands_higher_in_the_picture() -> None:
-    image = pytest.importorskip("matplotlib.image")
+    image = pytest.importorskip("matplotlib.image", reason="pictures need matplotlib")
     bodies = {
         name: (Skeleton.standing(Proportions(Physique(height_m=height_m))), Looks())
         for name, height_m in (("small", 1.5), ("tall", 1.9))
