@@ -32,6 +32,12 @@ export function realizeForm(request: RealizeAvatarRequest): FormData {
     form.append("avatar", blob(request.avatar), "avatar.glb");
   }
   appendJson(form, "options", request.options);
+  for (const name of ["motion_model", "scenario"] as const) {
+    const value = request[name];
+    if (value !== undefined) {
+      form.append(name, value);
+    }
+  }
   return form;
 }
 

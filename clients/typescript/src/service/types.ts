@@ -71,6 +71,10 @@ export interface RealizeRequest {
   /** The recording of its speech, for lips and words. */
   readonly audio?: Bytes;
   readonly options?: RealizeOptions;
+  /** The motion model that moves the body to the recording: `default`, or one of the service's own lexicon (docs/motion-models.md). */
+  readonly motion_model?: string;
+  /** What drives the motion model: `S1` to `S6`, or `RTS`. */
+  readonly scenario?: string;
 }
 
 /** BML for a GLB file: on the built-in mannequin, or on an `avatar` (GLB or VRM) of your own. */

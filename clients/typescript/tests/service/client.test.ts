@@ -57,6 +57,17 @@ describe("the client and the service", { skip: noService }, () => {
     assert.match(bvh, /^HIERARCHY/);
   });
 
+  test("a motion model moves the body, by the scenario that is named", async () => {
+    const line = await recorded("figure8");
+    const { content: bml } = await client.performBml(line);
+    const played = { bml, audio: line.audio };
+    const { content: plain } = await client.realizeBvh(played);
+    const { content: moved } = await client.realizeBvh({ ...played, motion_model: "default", scenario: "S2" });
+    assert.match(moved, /^HIERARCHY/);
+    assert.notEqual(moved, plain);
+    await assert.rejects(client.realizeBvh({ ...played, motion_model: "default", scenario: "S9" }), ServiceProblemError);
+  });
+
   test("words, and what the service knows", async () => {
     const { functions } = await client.findFunctions("No, I have never seen those.");
     assert.ok(functions.some((found) => found.class === "negation"));
