@@ -15,8 +15,8 @@ import psutil
 from playwright.sync_api import Page, sync_playwright
 
 from tests.studio.conftest import CHROMIUM, SIZE
-from tests.studio.serving import FLAGS
-from tests.studio.waiting import wait_until
+from tests.studio.support.serving import FLAGS
+from tests.studio.support.waiting import wait_until
 
 from .watching import HOST, Running, percentile, serving
 

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Page, ViewportSize, expect, sync_playwright
 
-from tests.studio.serving import FLAGS, Theme, perform_scene, served
+from tests.studio.support.serving import FLAGS, Theme, perform_scene, served
 from understudy.models import Understudy
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.studio.firefox import FIREFOX, firefox_tab
+from tests.studio.support.firefox import FIREFOX, firefox_tab
 from understudy.resources import resource_folder
 
 PLAYED_S = "Number(document.querySelector('#stage-canvas').dataset.time)"

@@ -5,8 +5,8 @@ import json
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.studio.changing import performed
-from tests.studio.waiting import wait_until
+from tests.studio.support.changing import performed
+from tests.studio.support.waiting import wait_until
 
 SPARE_TABS = 25
 """The parts of file fields, and the browser's own."""

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from playwright.sync_api import Page
 
-from tests.studio.accessibility import serious_findings
+from tests.studio.support.accessibility import serious_findings
 
 
 def test_a_wrong_file_shows_the_services_own_words(opened: Page, tmp_path: Path) -> None:

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser
 
-from tests.studio.accessibility import findings_as_seen
 from tests.studio.conftest import opened_page
-from tests.studio.tasks import LOOKS, TASKS, Desk
+from tests.studio.support.accessibility import findings_as_seen
+from tests.studio.support.tasks import LOOKS, TASKS, Desk
 
 
 @pytest.mark.parametrize(("task", "look"), list(zip(TASKS, cycle(("large-light", "small-dark")), strict=False)))

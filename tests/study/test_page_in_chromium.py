@@ -11,7 +11,7 @@ import pytest
 from playwright.sync_api import Browser, Page, ViewportSize
 
 from tests.studio.conftest import PATIENCE_MS, browser
-from tests.studio.waiting import wait_until
+from tests.studio.support.waiting import wait_until
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.resources import resource_folder

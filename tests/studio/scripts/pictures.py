@@ -1,6 +1,6 @@
 """Takes the pictures of docs/studio-tasks.md: `python -m tests.studio.scripts.pictures docs/images/studio/tasks`.
 
-Each task (tests/studio/tasks.py) is done in each look, with a picture of its last step; with `--steps` of every one.
+Each task (../support/tasks.py) is done in each look, with a picture of its last step; with `--steps` of every one.
 """
 
 import argparse
@@ -12,8 +12,8 @@ from tempfile import TemporaryDirectory
 from playwright.sync_api import Browser, Page, expect, sync_playwright
 
 from tests.studio.conftest import CHROMIUM, PATIENCE_MS
-from tests.studio.serving import FLAGS, perform_scene, served
-from tests.studio.tasks import LOOKS, TASKS, Desk
+from tests.studio.support.serving import FLAGS, perform_scene, served
+from tests.studio.support.tasks import LOOKS, TASKS, Desk
 from understudy.models import Understudy
 from understudy.settings import Settings
 

@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Page
 
-from tests.studio.accessibility import serious_findings
 from tests.studio.conftest import opened_page
-from tests.studio.waiting import PATIENCE_S, wait_until
+from tests.studio.support.accessibility import serious_findings
+from tests.studio.support.waiting import PATIENCE_S, wait_until
 
 LINE_S, PAUSE_S = 7.18, 0.4
 """Both lines are the bundled one."""

@@ -5,7 +5,7 @@ from itertools import pairwise
 import pytest
 from playwright.sync_api import Page
 
-from tests.studio.waiting import wait_until
+from tests.studio.support.waiting import wait_until
 
 EXAMPLE_S = 7.18
 FRAME_S = 1 / 60

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
-from tests.studio.accessibility import serious_findings
-from tests.studio.waiting import wait_until
+from tests.studio.support.accessibility import serious_findings
+from tests.studio.support.waiting import wait_until
 
 AFFIRMATION = "lexicon/en/affirmation.yaml"
 
@@ -95,7 +95,7 @@ def test_an_edited_rule_changes_the_line_and_undo_takes_it_back(rules: Page) -> 
 def test_nothing_is_saved_by_a_service_without_a_folder_for_it(rules: Page) -> None:
     _choose(rules, "yes", "word")
     assert rules.is_hidden("#rules-save")
-    root = Path(__file__).parents[2]
+    root = Path(__file__).parents[3]
     assert "- yes" in (root / AFFIRMATION).read_text(encoding="utf-8")
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from playwright.sync_api import Page, expect
 
-from tests.studio.changing import performed, select
+from tests.studio.support.changing import performed, select
 
 
 def test_a_change_outlives_a_reload_and_is_found_on_the_start_page(opened: Page) -> None:

@@ -2,7 +2,7 @@
 
 from playwright.sync_api import Page
 
-from tests.studio.waiting import wait_until
+from tests.studio.support.waiting import wait_until
 
 
 def select(page: Page, text: str) -> None:

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from playwright.sync_api import Page
 
-from tests.studio.vrm_files import vrm_of_the_mannequin
-from tests.studio.waiting import wait_until
+from tests.studio.support.vrm_files import vrm_of_the_mannequin
+from tests.studio.support.waiting import wait_until
 from understudy.realizer.mannequin.face import FACE_SHAPES
 
 FACE = """

@@ -3,8 +3,8 @@
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.studio.changing import performed, place_of, select, whole_s
-from tests.studio.waiting import wait_until
+from tests.studio.support.changing import performed, place_of, select, whole_s
+from tests.studio.support.waiting import wait_until
 
 
 def _reasons(page: Page) -> str:

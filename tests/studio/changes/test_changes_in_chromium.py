@@ -6,11 +6,11 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.studio.changing import performed, place_of, select
-from tests.studio.waiting import wait_until
+from tests.studio.support.changing import performed, place_of, select
+from tests.studio.support.waiting import wait_until
 from understudy.cli.main import main
 
-EXAMPLES = Path(__file__).parents[2] / "examples"
+EXAMPLES = Path(__file__).parents[3] / "examples"
 STAGE_S = "Number(document.querySelector('#stage-canvas').dataset.time)"
 STROKE = "document.querySelector('#selected input[data-mark=stroke]')"
 LINE = (str(EXAMPLES / "example.flac"), "--text-file", str(EXAMPLES / "example.txt"))

@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, Response, expect
 
-from tests.studio.changing import performed, place_of, select
-from tests.studio.waiting import wait_until
+from tests.studio.support.changing import performed, place_of, select
+from tests.studio.support.waiting import wait_until
 
 SETTINGS = {"agitation": "high", "mode": "random", "seed": 5, "stillness": 1}
 FIELDS = {"agitation": "Agitation", "mode": "Gestures from"}

@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
-from tests.studio.accessibility import serious_findings
-from tests.studio.waiting import wait_until
+from tests.studio.support.accessibility import serious_findings
+from tests.studio.support.waiting import wait_until
 from understudy.authoring.gesture_texts import one_gesture
 from understudy.realizer.gestures.gesture import Definition
 from understudy.realizer.gestures.writing import write_gesture

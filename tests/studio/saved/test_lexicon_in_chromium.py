@@ -6,8 +6,8 @@ from pathlib import Path
 from playwright.sync_api import Browser, expect
 
 from tests.studio.conftest import opened_page
-from tests.studio.serving import served
-from tests.studio.waiting import wait_until
+from tests.studio.support.serving import served
+from tests.studio.support.waiting import wait_until
 
 
 def test_gestures_words_and_weights_are_saved_into_the_authors_folder(browser: Browser, tmp_path: Path) -> None:

@@ -12,9 +12,9 @@ from types import MappingProxyType
 
 from playwright.sync_api import Page, ViewportSize, expect
 
-from tests.studio.changing import performed, place_of, select
-from tests.studio.serving import Theme
-from tests.studio.waiting import wait_until
+from tests.studio.support.changing import performed, place_of, select
+from tests.studio.support.serving import Theme
+from tests.studio.support.waiting import wait_until
 from understudy.resources import resource_folder
 
 WEBM = b"\x1a\x45\xdf\xa3"
