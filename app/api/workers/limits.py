@@ -1,6 +1,7 @@
 """The limits of a worker's memory and processor time and of a request's duration, with their errors."""
 
 import asyncio
+import fcntl
 import os
 import resource
 import signal
@@ -15,8 +16,10 @@ from ...errors import ServiceError, TooLargeError
 
 Result = TypeVar("Result")
 
-_FREE_S, _SLICE_S, _REST_SLICES = 0.2, 0.05, 7
-"""A message works without rest for so long, seconds of the processor; then it rests seven slices after each."""
+_FREE_S, _SLICE_S = 0.1, 0.05
+"""A message works without rest for so long, seconds of the processor; then in slices, as long a rest after each."""
+
+_HANDING_ON_S = 0.005
 
 _GIVES_WAY_AFTER = 0.1
 _LOWEST = 19
@@ -44,10 +47,13 @@ class ProcessorTimeError(BaseException):
 
 
 @contextmanager
-def processor_time(limit_s: float) -> Iterator[None]:
+def processor_time(limit_s: float, *, turns: int | None = None) -> Iterator[None]:
     """Limits the processor time of a block, user and system time of all threads, seconds. What takes long makes room
-    for others: first by resting in between, after a tenth of the limit by the lowest priority. Only in the main thread.
-    Raises ProcessorTimeError."""
+    for others: it rests in between, and after a tenth of the limit has the lowest priority. `turns` is the descriptor
+    of a file, open for writing, that several processes share: of those that take long one works at a time, so that
+    all of them together take half a core (priorities alone do not do it: a scheduler that groups processes by session,
+    as Linux's does by default, compares them within a session only). Only in the main thread. Raises
+    ProcessorTimeError."""
     began_s = time.process_time()
 
     def tick(*_signal: object) -> None:
@@ -56,8 +62,9 @@ def processor_time(limit_s: float) -> Iterator[None]:
             raise ProcessorTimeError
         if spent_s >= limit_s * _GIVES_WAY_AFTER:
             give_way()
-        else:
-            time.sleep(_REST_SLICES * _SLICE_S)
+        time.sleep(_SLICE_S)
+        if turns is not None:
+            _let_others_work(turns)
 
     signal.signal(signal.SIGPROF, tick)
     signal.setitimer(signal.ITIMER_PROF, min(_FREE_S, limit_s * _GIVES_WAY_AFTER), _SLICE_S)
@@ -65,6 +72,15 @@ def processor_time(limit_s: float) -> Iterator[None]:
         yield
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0)
+        if turns is not None:
+            fcntl.lockf(turns, fcntl.LOCK_UN)
+
+
+def _let_others_work(turns: int) -> None:
+    """Gives up the turn, if this process has it, and waits for the next. Who waits is woken while this one sleeps."""
+    fcntl.lockf(turns, fcntl.LOCK_UN)
+    time.sleep(_HANDING_ON_S)
+    fcntl.lockf(turns, fcntl.LOCK_EX)
 
 
 def too_long(limit_s: float) -> TooLargeError:

@@ -29,8 +29,8 @@ FASTEST_CLOCK = 1.02
 """A sender whose clock runs no faster is never throttled; the clocks of sound cards are within .005 of true."""
 
 
-def stream(service: socket.socket, models: LiveModels, settings: Settings) -> None:
-    """Answers one client until its stream is over."""
+def stream(service: socket.socket, models: LiveModels, settings: Settings, turns: int) -> None:
+    """Answers one client until its stream is over. `turns` is a file that all streams share (`processor_time`)."""
     end_with(service)
     limit_memory(settings.worker_memory_bytes)
     send(service, Ready(os.getpid(), psutil.Process().memory_info().rss))
@@ -41,7 +41,7 @@ def stream(service: socket.socket, models: LiveModels, settings: Settings) -> No
         try:
             message, content, _ = receive(service)
             assert isinstance(message, LiveInput)
-            _answer(service, conversation, settings, bytes(content), is_text=message.is_text)
+            _answer(service, conversation, settings, bytes(content), is_text=message.is_text, turns=turns)
         except (EOFError, OSError):
             break
         processor_s, passed_s = time.process_time(), time.monotonic() - began_s
@@ -69,13 +69,19 @@ def too_soon_s(heard_s: float, passed_s: float, ahead_s: float) -> float:
 
 
 def _answer(
-    service: socket.socket, conversation: Conversation, settings: Settings, content: bytes, *, is_text: bool
+    service: socket.socket,
+    conversation: Conversation,
+    settings: Settings,
+    content: bytes,
+    *,
+    is_text: bool,
+    turns: int,
 ) -> None:
     """Sends the answers to a message; a bug is logged and sent as `internal_error`."""
     frames: list[str] = []
     others: list[str] = []
     try:
-        with processor_time(settings.live_message_s):
+        with processor_time(settings.live_message_s, turns=turns):
             for told in conversation.answer(content, is_text=is_text):
                 (frames if told.startswith(_FRAME) else others).append(told)
     except ProcessorTimeError:

@@ -11,6 +11,7 @@ import select
 import signal
 import socket
 import sys
+import tempfile
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import replace
@@ -63,22 +64,25 @@ def main(control: socket.socket) -> None:
     with suppress(BrokenPipeError):  # the service has ended meanwhile, which the next receive notices
         send(control, LoadedLibrary(_library(understudy)))
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # ended workers are reaped by the kernel
-    with suppress(EOFError):  # the service has closed its end
+    with suppress(EOFError), tempfile.TemporaryFile() as turns:  # the service has closed its end
         if start.is_renewal:
-            models = _obey(control, models, idle_s=IDLE_S)
+            models = _obey(control, models, turns.fileno(), idle_s=IDLE_S)
             _warm(models)
-        _obey(control, models)
+        _obey(control, models, turns.fileno())
 
 
-def _obey(control: socket.socket, models: LiveModels, idle_s: float | None = None) -> LiveModels:
-    """Forks and reloads on request, until nothing was asked for so many seconds; the models then. Raises EOFError when
-    the socket closes."""
+def _obey(control: socket.socket, models: LiveModels, turns: int, idle_s: float | None = None) -> LiveModels:
+    """Forks and reloads on request, until nothing was asked for so many seconds; the models then. `turns` is the file
+    by which streams take turns. Raises EOFError when the socket closes."""
     while select.select([control], [], [], idle_s)[0]:
         message, _, descriptors = receive(control)
         if isinstance(message, Reload):
             models = _reloaded(control, models)
         elif isinstance(message, Fork):
-            _fork(control, models, message, socket.socket(fileno=descriptors[0]))
+            with socket.socket(fileno=descriptors[0]) as service:
+                if os.fork() == 0:
+                    control.close()
+                    _be_worker(service, models, message, turns)
     return models
 
 
@@ -107,20 +111,13 @@ def _listen_to(models: LiveModels, sound: bytes, text: str) -> None:
         session.text(text)
 
 
-def _fork(control: socket.socket, models: LiveModels, fork: Fork, service: socket.socket) -> None:
-    with service:
-        if os.fork() == 0:
-            control.close()
-            _be_worker(service, models, fork)
-
-
-def _be_worker(service: socket.socket, models: LiveModels, fork: Fork) -> Never:
+def _be_worker(service: socket.socket, models: LiveModels, fork: Fork, turns: int) -> Never:
     """Runs the worker and exits; the nursery's code never continues in a worker."""
     understudy = models.understudy.with_settings(fork.settings)
     try:
         signal.signal(signal.SIGCHLD, signal.SIG_DFL)
         if fork.is_live:
-            stream(service, replace(models, understudy=understudy), fork.settings)
+            stream(service, replace(models, understudy=understudy), fork.settings, turns)
         else:
             work(service, understudy)
     finally:
