@@ -1,10 +1,11 @@
 """Exports the body as MPEG-4 body animation parameters, in units of 10⁻⁵ rad (Gesture Engine §4).
 
 Conventions, except for `BapVersion.GRETA`: angles are from the pose with the arms down (`layout.py`). Flexion and tilt
-are about X, abduction and roll about Z, torsion and twisting about Y, with the signs of `sign_of`; fingers are flexed
-about Z, towards the palm. MPEG-4 leaves the order of angles to the decoder: here a joint turns about its first axis,
-then about the second as it then lies, twisting last. Root translations are millimetres from where the hips are in the
-T-pose.
+are about X, abduction and roll about Z, torsion and twisting about Y, with the signs of `sign_of`, which are those of
+Visage's decoder (`BAPRotationAxis`, docs/references.md): the standard's table names planes and no signs. Fingers are
+flexed about Z, towards the palm; Visage has them about X. MPEG-4 leaves the order of angles to the decoder: here a
+joint turns about its first axis, then about the second as it then lies, twisting last. Root translations are
+millimetres from where the hips are in the T-pose.
 
 A collar bone has no third angle: it turns about Y, then is raised about Z, as ours are (`collarbone_for`), and what
 little smoothing leaves about X goes to the upper arm, so that the arm is where ours is. The outer two joints of a thumb
