@@ -18,7 +18,7 @@ from ..motion_models.model import SCENARIOS, MotionModel, Scenario, is_model
 from ..motion_models.pairs import SOUNDS, Pair, PairFile, Voice, heard_voice, read_pair
 from ..motion_models.performing import laid_over, move, move_at_random, replaced_behaviors
 from ..motion_models.playing import played
-from ..motion_models.scoring import Scores, left_out_trials, scored
+from ..motion_models.scoring import Correlation, Scores, left_out_trials, scored
 from ..motion_models.training import Learning, learn
 from ..prosody_gestures.semi_markov import FRAME_S
 from ..prosody_gestures.trellis import EVERYTHING, Search
@@ -34,6 +34,7 @@ from .sources import AffectName, FileSource, content_of
 __all__ = [
     "DEFAULT_MODEL",
     "DEFAULT_SCENARIO",
+    "Correlation",
     "Learning",
     "MotionModel",
     "Moving",

@@ -140,6 +140,8 @@ class MotionModel:
     def read(content: bytes, name: str) -> "MotionModel":
         """The model in a file called `name`. Raises InputError `motion_model`."""
         try:
+            if not zipfile.is_zipfile(io.BytesIO(content)):
+                raise ValueError("it is no .npz file")
             with np.load(io.BytesIO(content), allow_pickle=False) as file:
                 arrays = dict(file)
             form = int(arrays["form"])

@@ -1,8 +1,10 @@
 """How near the motion of a model comes to recorded motion (AHG §4), and how near a quick search to the full one (RTS
 §3.1).
 
-Correlations are first canonical ones, a recording each. Streams as smooth as these correlate by chance as well;
-`chance` has each recording's counterpart from the next. Divergences are symmetric ones, in nats, over all recordings
+Correlations are first canonical ones, a recording each (AHG's tables), and over all recordings together, each about its
+own mean. Streams as smooth and as short as these correlate by chance as well: `chance` has the counterpart moved round
+by a quarter, a half and three quarters of its recording, so that it lasts as long and moves as it does, at other times.
+Divergences are symmetric ones, in nats, over all recordings
 together: of the shares of kinds in frames, of durations whatever the kind, and of durations kind by kind, weighed by
 the kinds' frames in the original. Energies are kinetic ones of the arms, the sum of squared angular velocities over
 joints in rad²/s², and the score is the mean difference from the original's frame by frame.
@@ -32,11 +34,14 @@ AFFECTS = ("activation", "valence", "dominance")
 
 @dataclass(frozen=True, slots=True)
 class Correlation:
-    """The mean and the standard deviation over recordings, and the mean by chance."""
+    """The mean and the standard deviation over recordings, the mean by chance, and both over all recordings
+    together."""
 
     mean: float
     deviation: float
     chance: float
+    together: float
+    together_by_chance: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,7 +163,7 @@ def scored(
 def _feature_score(trials: Sequence[Trial], name: str) -> FeatureScore:
     observed = [_observed(trial, name) for trial in trials]
     kinds, durations, by_kind = _divergences(trials, name)
-    return FeatureScore(_correlation(observed, [trial.angles for trial in trials]), kinds, durations, by_kind)
+    return FeatureScore(correlation_of(observed, [trial.angles for trial in trials]), kinds, durations, by_kind)
 
 
 def _observed(trial: Trial, name: str) -> FloatArray:
@@ -173,9 +178,10 @@ def _scenario_score(trials: Sequence[Trial], arms: Sequence[FloatArray], scenari
     angles = [_angles(each) for each in made]
     affects = [trial.pair.voice.affect for trial in trials]
     return ScenarioScore(
-        movement=_correlation(angles, [trial.angles for trial in trials]),
+        movement=correlation_of(angles, [trial.angles for trial in trials]),
         affect={
-            name: _correlation(angles, [each[:, place, None] for each in affects]) for place, name in enumerate(AFFECTS)
+            name: correlation_of(angles, [each[:, place, None] for each in affects])
+            for place, name in enumerate(AFFECTS)
         },
         energy_difference=float(
             np.mean([energy_difference(one, other, FRAME_S) for one, other in zip(made, arms, strict=True)])
@@ -192,13 +198,29 @@ def _mean_energy(motions: Sequence[FloatArray]) -> float:
     return float(np.mean([kinetic_energy(each, FRAME_S).mean() for each in motions]))
 
 
-def _correlation(ones: Sequence[FloatArray], others: Sequence[FloatArray]) -> Correlation:
-    own = [canonical_correlation(one, other) for one, other in zip(ones, others, strict=True)]
-    chance = []
-    for one, other in zip(ones, [*others[1:], others[0]], strict=True):
-        count = min(len(one), len(other))
-        chance.append(canonical_correlation(one[:count], other[:count]))
-    return Correlation(float(np.mean(own)), float(np.std(own)), float(np.mean(chance)))
+_MOVED_BY = (0.25, 0.5, 0.75)
+"""By what shares of a recording its counterpart is moved round for chance."""
+
+
+def correlation_of(ones: Sequence[FloatArray], others: Sequence[FloatArray]) -> Correlation:
+    """The correlation of the streams of recordings with their counterparts, which are as long."""
+    own = _by_recording(ones, others)
+    moved = [[np.roll(each, round(share * len(each)), axis=0) for each in others] for share in _MOVED_BY]
+    return Correlation(
+        mean=float(np.mean(own)),
+        deviation=float(np.std(own)),
+        chance=float(np.mean([_by_recording(ones, each) for each in moved])),
+        together=canonical_correlation(_centred(ones), _centred(others)),
+        together_by_chance=float(np.mean([canonical_correlation(_centred(ones), _centred(each)) for each in moved])),
+    )
+
+
+def _by_recording(ones: Sequence[FloatArray], others: Sequence[FloatArray]) -> list[float]:
+    return [canonical_correlation(one, other) for one, other in zip(ones, others, strict=True)]
+
+
+def _centred(streams: Sequence[FloatArray]) -> FloatArray:
+    return np.concatenate([each - each.mean(axis=0) for each in streams])
 
 
 def _divergences(trials: Sequence[Trial], name: str) -> tuple[float, float, float]:

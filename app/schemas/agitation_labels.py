@@ -1,7 +1,8 @@
 """A table of recordings with their agitation (`understudy agitation train LABELS.csv`), with every mistake in it.
 
-CSV with the columns `file` (relative to the table), `speaker`, `agitation` (low, medium or mid, high; two with a slash,
-"medium/high", for what lies between) and perhaps others, such as `emotion`, which are not read.
+CSV (or with semicolons or tabs) with the columns `file` (relative to the table), `speaker`, `agitation` (low, medium or
+mid, high; two with a slash, "medium/high", for what lies between) and perhaps others, such as `emotion`, which are not
+read.
 """
 
 import csv
@@ -13,6 +14,8 @@ from pathlib import Path
 from ..errors import InputError, did_you_mean, shown
 from ..model import Level
 
+SEPARATORS = (",", ";", "\t")
+"""The one that is most often in the first line: spreadsheets write semicolons where a comma is in decimals."""
 COLUMNS = ("file", "speaker", "agitation")
 MOST_ROWS = 20_000
 MOST_TOLD = 5
@@ -32,7 +35,9 @@ def read_labels(content: bytes, table: Path) -> tuple[LabelledRecording, ...]:
     """The recordings of the table of that name; raises InputError `labels_wrong` with the first mistakes, each with its
     line."""
     try:
-        rows = list(csv.reader(io.StringIO(content.decode("utf-8-sig")), strict=True))
+        text = content.decode("utf-8-sig")
+        separator = max(SEPARATORS, key=text.partition("\n")[0].count)
+        rows = list(csv.reader(io.StringIO(text), delimiter=separator, strict=True))
     except (UnicodeDecodeError, csv.Error) as error:
         raise _wrong(f"{table}: no CSV in UTF-8 ({error}); save it as CSV in UTF-8") from None
     header = [cell.strip().lower() for cell in rows[0]] if rows else []
@@ -51,6 +56,8 @@ def read_labels(content: bytes, table: Path) -> tuple[LabelledRecording, ...]:
     if mistakes:
         more = f"; and {len(mistakes) - MOST_TOLD} more" if len(mistakes) > MOST_TOLD else ""
         raise _wrong("; ".join(mistakes[:MOST_TOLD]) + more)
+    if not found:
+        raise _wrong(f"{table}: no recordings; give a line for each below the first, which names the columns")
     return tuple(each for each in found if isinstance(each, LabelledRecording))
 
 

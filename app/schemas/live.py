@@ -23,6 +23,7 @@ DECIMALS = 3
 _FULL_SCALE = 32768
 _ROTATION_DECIMALS, _WEIGHT_DECIMALS = 5, 4
 MOST_WORDS = 2500
+LONGEST_NAME = 64
 _Seconds = Annotated[float, Field(allow_inf_nan=False, strict=False)]
 
 
@@ -31,7 +32,8 @@ class _Message(BaseModel):
 
 
 class StartMessage(_Message):
-    """Begins a stream. Of two `channels` the second is the voice of whom the character listens to."""
+    """Begins a stream. Of two `channels` the second is the voice of whom the character listens to. `motion_model` is
+    the name of one whose units the body moves by."""
 
     type: Literal["start"]
     sample_rate_hz: int = 16_000
@@ -40,6 +42,7 @@ class StartMessage(_Message):
     seed: Annotated[Seed, Field(description="Another number draws other movements.")] = 0
     frames: Literal[30, 60] | None = None
     stillness: Annotated[float, Field(ge=0, le=1, strict=False)] = 0.0
+    motion_model: Annotated[str, Field(max_length=LONGEST_NAME)] | None = None
 
     @property
     def options(self) -> LiveOptions:

@@ -89,6 +89,33 @@ def test_frames_are_of_the_joints_that_were_named(client: TestClient) -> None:
     assert np.linalg.norm(np.reshape(frames[-1]["rotations"], (-1, 4)), axis=1) == pytest.approx(1, abs=1e-4)
 
 
+def test_a_motion_model_moves_the_body_if_the_start_names_one(client: TestClient) -> None:
+    """The shipped one: phrases are announced and decided, arms leave the rest, and no beats are made."""
+    with client.websocket_connect("/live") as stream:
+        stream.send_json(START | {"frames": 30, "motion_model": "default"})
+        ready = stream.receive_json()
+        for first in range(0, len(PCM), CHUNK_BYTES):
+            stream.send_bytes(PCM[first : first + CHUNK_BYTES])
+        stream.send_json({"type": "end"})
+        told = until(stream, "done")
+    phrases = [each for each in told if each["type"] == "phrase"]
+    assert {each["decided"] for each in phrases} == {True, False}
+    assert {"kind", "start_s", "heard_s"} <= phrases[0].keys()
+    assert not [each for each in told if each["type"] == "gesture"]
+    place = ready["joints"].index("leftLowerArm")
+    turns = np.array([each["rotations"] for each in told if each["type"] == "frame"])[:, 4 * place : 4 * place + 4]
+    assert np.ptp(turns, axis=0).max() > 0.05
+
+
+def test_a_motion_model_that_there_is_not_is_told(client: TestClient) -> None:
+    with client.websocket_connect("/live") as stream:
+        stream.send_json(START | {"motion_model": "defualt"})
+        error = stream.receive_json()
+        assert ended(stream) == 1000
+    assert error["code"] == "motion_model"
+    assert "no motion model is called 'defualt'; did you mean 'default'" in error["detail"]
+
+
 def test_words_are_performed_by_the_rules_until_they_are_interrupted(client: TestClient) -> None:
     words = [
         {"text": text, "start_s": 1 + 0.4 * k, "end_s": 1.4 + 0.4 * k} for k, text in enumerate(["No,", "not", "you!"])

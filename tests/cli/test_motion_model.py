@@ -139,6 +139,7 @@ def test_what_is_wrong_with_a_folder_is_told(tmp_path: Path, capsys: Captured, w
         ([], "say with --realize where its motion goes"),
         (["--realize", "x.bvh", "--scenario", "S7"], "scenario: 'S7'; give one of S1, S2"),
         (["--realize", "x.bvh", "--motion-model", TEXT], "no motion model, which understudy motion-model train writes"),
+        (["--realize", "x.bvh", "--motion-model", TEXT], "it is no .npz file"),
         (["--realize", "x.bvh", "--motion-model", "gone.npz"], "gone.npz: cannot be read"),
     ],
 )
@@ -189,6 +190,21 @@ def test_live_speech_is_moved_by_units(model: Path, capsys: Captured, search: li
     last = [each for each in told if each["type"] == "frame"][-30]
     x, y, z, w = np.reshape(last["rotations"], (-1, 4))[place]
     assert 2 * (x * y + w * z) == pytest.approx(1, abs=0.02), "the x axis of the hanging arm points up"
+
+
+def test_live_speech_is_moved_by_the_shipped_model_by_its_name(capsys: Captured) -> None:
+    """Phrases are announced and decided; both arms move, and nothing jumps."""
+    assert main(["live", AUDIO, "--model", "default", "--frames", "30", "--quiet"]) == 0
+    ready, *told = [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+    assert {each["decided"] for each in told if each["type"] == "phrase"} == {True, False}
+    assert not [each for each in told if each["type"] == "gesture"]
+    turns = np.array([each["rotations"] for each in told if each["type"] == "frame"]).reshape(
+        -1, len(ready["joints"]), 4
+    )
+    arms = turns[:, [ready["joints"].index(f"{side}LowerArm") for side in ("left", "right")]]
+    assert np.ptp(arms, axis=0).max(axis=1).min() > 0.05
+    between = np.abs((turns[1:] * turns[:-1]).sum(axis=2)).clip(max=1)
+    assert (2 * np.arccos(between) * 30).max() < 20, "rad/s"
 
 
 def test_a_search_needs_a_model(capsys: Captured) -> None:

@@ -20,6 +20,11 @@ def test_rows_are_read_by_the_names_of_columns_and_others_left_alone(table: Path
     assert read[0].path == table.parent / "a.wav"
 
 
+def test_a_spreadsheets_semicolons_separate_too(table: Path) -> None:
+    (read,) = read_labels("file;speaker;agitation\r\na.wav;Müller, Ann;low\r\n".encode("utf-8-sig"), table)
+    assert (read.speaker, read.memberships) == ("Müller, Ann", (1.0, 0.0, 0.0))
+
+
 @pytest.mark.parametrize(
     ("content", "told"),
     [
@@ -32,6 +37,7 @@ def test_rows_are_read_by_the_names_of_columns_and_others_left_alone(table: Path
             r"csv:2: agitation 'angry'; give.*csv:3: 2 cells",
         ),
         (b"\xff\xfe,", "no CSV in UTF-8"),
+        (b"file,speaker,agitation\n\n", "labels.csv: no recordings; give a line for each below the first"),
     ],
 )
 def test_mistakes_are_told_with_their_lines(table: Path, content: bytes, told: str) -> None:

@@ -125,10 +125,14 @@ class AgitationModel:
     def load_file(cls, path: Path) -> "AgitationModel":
         """Loads a model that `understudy agitation train` wrote; raises InputError `agitation_model`."""
         try:
-            with np.load(path, allow_pickle=False) as arrays:
+            if not zipfile.is_zipfile(content := io.BytesIO(path.read_bytes())):
+                raise _no_model(path, "no .npz file")
+            with np.load(content, allow_pickle=False) as arrays:
                 feature_set = str(arrays["feature_set"])
                 model = _from_arrays(feature_set, arrays)
-        except (OSError, EOFError, KeyError, ValueError, TypeError, zipfile.BadZipFile) as error:
+        except OSError as error:
+            raise _no_model(path, error.strerror) from None
+        except (EOFError, KeyError, ValueError, TypeError, zipfile.BadZipFile) as error:
             raise _no_model(path, error) from None
         if feature_set not in FEATURE_SETS or len(model.typical.mean) != model.unknown_speaker.support_vectors.shape[1]:
             raise _no_model(path, f"features {feature_set!r}")
@@ -188,9 +192,7 @@ def save_file(model: AgitationModel, path: Path) -> None:
 
 
 def _no_model(path: Path, why: object) -> InputError:
-    message = (
-        f"{path} is no agitation model ({why}); make one with understudy agitation train LABELS.csv -o {path.name}"
-    )
+    message = f"{path} is no agitation model ({why}); make one with understudy agitation train LABELS.csv -o MODEL.npz"
     return InputError("agitation_model", message, field="agitation_model")
 
 

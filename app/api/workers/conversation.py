@@ -4,6 +4,7 @@ Wrong words or silences are reported and the stream goes on; any other error end
 """
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from ...errors import InputError, TooLargeError, UnderstudyError
 from ...library.hearing import audio_limits
@@ -87,7 +88,7 @@ class Conversation:
         return ()
 
     def _started(self, message: StartMessage) -> str:
-        """Raises InputError `live_started`, `value_wrong`, `unknown_character`."""
+        """Raises InputError `live_started`, `value_wrong`, `unknown_character`, `motion_model`."""
         if self._session is not None:
             raise InputError("live_started", "this stream has begun already; open another for another start")
         limits = audio_limits(self._settings)
@@ -95,9 +96,16 @@ class Conversation:
         if not lowest <= message.sample_rate_hz <= highest:
             told = f"sample_rate_hz: {message.sample_rate_hz}; give {lowest} to {highest}"
             raise InputError("value_wrong", told, field="sample_rate_hz")
-        self._start, self._session = message, LiveSession(self._models, message.options)
+        self._start, self._session = message, LiveSession(self._models_for(message), message.options)
         joints = self._models.understudy.realizer.skeleton.names if message.frames else ()
         return to_ready(message.options, tuple(joints))
+
+    def _models_for(self, message: StartMessage) -> LiveModels:
+        if message.motion_model is None:
+            return self._models
+        from ...library.motion_models import motion_model_named  # imported late: few streams need it
+
+        return replace(self._models, motion=motion_model_named(message.motion_model, self._settings))
 
     def _sound(self, content: bytes) -> Iterator[str]:
         session = self._begun("sound")

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from ...library.motion_models import Scores
+from ...library.motion_models import Correlation, Scores
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -84,32 +84,37 @@ def told(scores: Scores) -> str:
 def _lines(scores: Scores) -> Iterator[str]:
     heard = f"{scores.recordings} recordings, {scores.minutes:.1f} min"
     yield f"{heard}; a {scores.left_out} is moved by a model of the others"
-    yield "correlations: first canonical ones (deviation; chance); divergences: symmetric Kullback-Leibler, nats"
+    yield "correlations: first canonical ones (deviation; chance: the same moved in time), by recording; together"
+    yield "divergences: symmetric Kullback-Leibler, nats"
     yield ""
-    yield "features  movement: theirs, ours         kinds: theirs, ours  durations: theirs, ours, kind by kind"
+    yield "features  movement: theirs, ours; together        kinds: theirs, ours  durations: theirs, ours, kind by kind"
     for name, each in scores.features.items():
         theirs = THEIR_FEATURES.get(name)
         a, b, c = (f"{value:.2f}" for value in theirs) if theirs else ("–",) * 3
         own = each.movement
         yield (
-            f"{NAMES[name]:8}  {a:>4}  {own.mean:.3f} ({own.deviation:.3f}; {own.chance:.3f})    "
+            f"{NAMES[name]:8}  {a:>4}  {own.mean:.3f} ({own.deviation:.3f}; {own.chance:.3f}); {_together(own)}  "
             f"{b:>4}  {each.kinds:5.2f}          {c:>4}  {each.durations:5.2f}  {each.durations_by_kind:5.2f}"
         )
     yield ""
     yield f"kinetic energy of the arms, rad²/s²: recorded {scores.energy:.2f}"
-    yield "scenario  energy  difference  movement: theirs, ours (chance)  activation  valence  dominance: theirs/ours"
+    heading = "scenario  energy  difference  movement: theirs, ours (chance); together"
+    yield f"{heading}  activation  valence  dominance: theirs/ours (chance)"
     for name, moved in scores.scenarios.items():
         known = THEIR_SCENARIOS.get(name)
         parts = [f"{value:.3f}" for value in known] if known else ["–"] * 4
         felt = "  ".join(
-            f"{there}/{each.mean:.3f}" for there, each in zip(parts[1:], moved.affect.values(), strict=True)
+            f"{there}/{each.mean:.3f} ({each.chance:.3f})"
+            for there, each in zip(parts[1:], moved.affect.values(), strict=True)
         )
-        yield (
-            f"{name:8}  {moved.energy:6.2f}  {moved.energy_difference:10.2f}  "
-            f"{parts[0]:>5}  {moved.movement.mean:.3f} ({moved.movement.chance:.3f})  {felt}"
-        )
+        movement = f"{moved.movement.mean:.3f} ({moved.movement.chance:.3f}); {_together(moved.movement)}"
+        yield (f"{name:8}  {moved.energy:6.2f}  {moved.energy_difference:10.2f}  {parts[0]:>5}  {movement}  {felt}")
     if scores.searches:
         yield from _searches(scores)
+
+
+def _together(found: Correlation) -> str:
+    return f"{found.together:.3f} ({found.together_by_chance:.3f})"
 
 
 def _searches(scores: Scores) -> Iterator[str]:

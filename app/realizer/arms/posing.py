@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...model import FloatArray, Hand
 from ...model.figure import PLAIN_MANNER, GestureManner
@@ -119,6 +120,12 @@ def pose_arms(
     )
 
 
+def elbow_swivel_deg(skeleton: Skeleton, key: ArmKey, *, amplitude: float, manner: GestureManner) -> float:
+    """How far out the elbow of a key with a place is, as `pose_arms` has it, in degrees."""
+    _arms, _turns, swivels = _searched(skeleton, [_asked(skeleton, key, amplitude, None)], manner)
+    return float(np.degrees(_SWIVELS[swivels[0]]))
+
+
 def solve_arm(
     bones: ArmBones, wrist_m: FloatArray, finger_base: FloatArray, palm: FloatArray, swivel_deg: float
 ) -> FloatArray:
@@ -199,18 +206,26 @@ def _asked(skeleton: Skeleton, key: ArmKey, amplitude: float, aim_m: FloatArray 
 
 def _solved(skeleton: Skeleton, asked: Sequence[_ArmTarget], manner: GestureManner) -> FloatArray:
     """The first five parts (K, 5, 4) of each arm, at the elbow swivel that suits the wrist and the manner best."""
-    bones = ArmBones.of(skeleton)
-    wrists_m = np.stack([each.wrist_m for each in asked])[:, None]
-    raised = np.array([each.raised for each in asked])[:, None]
-    arms = reach(bones, np.repeat(wrists_m, len(_SWIVELS), axis=1), swivel_rad=_SWIVELS, raised=raised)
-    turns = _turned(arms.forearm, asked)
-    crowded_m = _inside_trunk_m(skeleton, arms)
-    off = np.stack([_off_deg(each, manner) for each in asked])
-    best = np.arange(len(asked)), np.argmin(_discomfort(arms, turns, wrists_m, crowded_m) + off**2, axis=1)
+    arms, turns, swivels = _searched(skeleton, asked, manner)
+    best = np.arange(len(asked)), swivels
     turn = WristAngles(turns.angles[best] + [0.0, 0.0, np.radians(manner.wrist_deg)]).clamped()
     return np.stack(
         (*(part[best] for part in (arms.collarbone, arms.upper_arm, arms.elbow)), turn.forearm, turn.hand), 1
     )
+
+
+def _searched(
+    skeleton: Skeleton, asked: Sequence[_ArmTarget], manner: GestureManner
+) -> tuple[Reach, WristAngles, NDArray[np.intp]]:
+    """The arms and wrists (K, swivels) of all swivels, and which of them is the best (K)."""
+    wrists_m = np.stack([each.wrist_m for each in asked])[:, None]
+    raised = np.array([each.raised for each in asked])[:, None]
+    repeated_m = np.repeat(wrists_m, len(_SWIVELS), axis=1)
+    arms = reach(ArmBones.of(skeleton), repeated_m, swivel_rad=_SWIVELS, raised=raised)
+    turns = _turned(arms.forearm, asked)
+    crowded_m = _inside_trunk_m(skeleton, arms)
+    off = np.stack([_off_deg(each, manner) for each in asked])
+    return arms, turns, np.argmin(_discomfort(arms, turns, wrists_m, crowded_m) + off**2, axis=1)
 
 
 def _turned(forearm: FloatArray, asked: Sequence[_ArmTarget]) -> WristAngles:

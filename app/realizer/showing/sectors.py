@@ -3,7 +3,8 @@ begins, and in another where it ends and is held.
 
 The keys of the clip are moved: those before the stroke as its beginning, those from its end on as its end, those
 between by their share of the stroke, so that what the library has between the two stays. A place is meant as it is,
-whatever the gesture's size. What is further away than the arm is long, and a stroke that would be too fast, are told.
+whatever the gesture's size. What is further away than the arm is long, a stroke that would be too fast, and an elbow
+that is elsewhere than its swivel, for wrist and joints do not allow it there, are told.
 """
 
 from collections.abc import Iterator
@@ -13,7 +14,9 @@ import numpy as np
 
 from ...model import FloatArray, Hand
 from ...model.schedule import Way
+from ..arms.posing import elbow_swivel_deg
 from ..arms.wrist_paths import amplitude
+from ..body.skeleton import Skeleton
 from ..gestures.gesture import ArmKey, Clip, Depth, HeightSector, SectorPlace, Sideways
 from ..gestures.gesture_plan import PlacedGesture
 from ..gestures.gesture_space import SHOULDERS_ABOVE_HIPS_M, sector_m
@@ -63,7 +66,35 @@ def led_decisions(asked: Way | None, placed: PlacedGesture) -> Iterator[str]:
     if asked.start is not None and off_m > _NEAR_M:
         where = " ".join(asked.start)
         yield f"its stroke begins {100 * off_m:.0f} cm from {where}, to be no faster than hands are"
+    yield from _swivels_missed(asked, placed)
 
+
+def _swivels_missed(asked: Way, placed: PlacedGesture) -> Iterator[str]:
+    """Where the elbow is at an end of the stroke, if it is not where it is asked for."""
+    clip = placed.clip
+    ends = (
+        ("from", asked.start, asked.start_elbow_deg, clip.markers.stroke_start),
+        ("to", asked.end, asked.end_elbow_deg, clip.markers.stroke_end),
+    )
+    for name, sector, wanted_deg, time_s in ends:
+        if sector is None or wanted_deg is None:
+            continue
+        for side in placed.arms:
+            arm = _key_at(clip, side, time_s)
+            if arm is None or arm.place is None:
+                continue
+            found_deg = elbow_swivel_deg(Skeleton.standing(), arm, amplitude=amplitude(placed), manner=clip.manner)
+            if abs(found_deg - wanted_deg) > _SWIVEL_NEAR_DEG:
+                told = f"{name} {' '.join(sector)}: the {side} elbow is {found_deg:.0f}° out"
+                yield f"{told}, not {wanted_deg:.0f}°, so far as wrist and joints allow"
+
+
+def _key_at(clip: Clip, side: Hand, time_s: float) -> ArmKey | None:
+    return next((key.left if side is Hand.LEFT else key.right for key in clip.keys if key.time_s == time_s), None)
+
+
+_SWIVEL_NEAR_DEG = 10.0
+"""Nearer than that, a swivel is as it is asked for."""
 
 _NEAR_M = 0.03
 

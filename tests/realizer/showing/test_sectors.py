@@ -113,6 +113,20 @@ def test_the_elbow_swivels_as_the_script_says_and_the_wrist_stays(understudy: Un
         assert np.linalg.norm(_wrists_m(each)[1] - _sector_m(place)) < NEAR_M
 
 
+def test_an_elbow_that_cannot_be_where_its_swivel_is_is_told(understudy: Understudy) -> None:
+    """With the palm up an elbow is not far out; a fist's can be."""
+
+    def told(lexeme: str, swivel: str) -> list[str]:
+        script = _script(_gesture(lexeme=lexeme, to=f"XC YCC ZMiddle {swivel}"))
+        decisions = _played(understudy, script).motion.decisions
+        return [each.reason for each in decisions if each.action == "placed"]
+
+    (reason,) = told("OFFER", "out")
+    assert reason.startswith("to XC YCC ZMiddle: the right elbow is ")
+    assert reason.endswith("° out, not 30°, so far as wrist and joints allow")
+    assert told("BEAT", "out") == told("OFFER", "normal") == []
+
+
 def test_offset_tracks_of_a_script_are_added_to_the_gestures_own(understudy: Understudy) -> None:
     plain = _played(understudy, _script(_gesture()))
     turned = _played(understudy, _script(_gesture(tracks=["held chest 0 20 0"])))

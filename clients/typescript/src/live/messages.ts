@@ -57,6 +57,15 @@ export interface LiveMouth {
   readonly heard_s: number;
 }
 
+/** With a motion model: a phrase of a kind of movement begins, announced and then decided. */
+export interface LivePhrase {
+  readonly type: "phrase";
+  readonly kind: number;
+  readonly start_s: number;
+  readonly decided: boolean;
+  readonly heard_s: number;
+}
+
 /** The body at a time: x y z w for each joint, the place of the hips, and the weights of the face's shapes. */
 export interface LiveFrame {
   readonly type: "frame";
@@ -82,7 +91,7 @@ export interface LiveError {
 }
 
 /** What a stream yields, until it is done. */
-export type LiveMessage = LiveBehavior | LiveWithdrawal | LiveMouth | LiveFrame | LiveFramesSkipped | LiveError;
+export type LiveMessage = LiveBehavior | LiveWithdrawal | LiveMouth | LivePhrase | LiveFrame | LiveFramesSkipped | LiveError;
 
 /** All that a client sends besides sound and the start. */
 export type LiveCommand =
