@@ -20,6 +20,7 @@ from .body.motion import BodyMotion, Decision, Motion
 from .body.movement_style import Ends, MovementStyle
 from .body.proportions import Proportions
 from .body.skeleton import Skeleton
+from .dynamics.calming import with_calm_arms
 from .dynamics.take_ends import eased_at_the_ends
 from .exporting.retargeting import Rig, find_rig, load_rigs
 from .face.expressions import realized_faces, unknown_faces
@@ -46,6 +47,9 @@ _DECIMALS = 6
 """To which a number of frames is known: a recording of 2 s has 120 frames at 60 a second, not 121 by rounding."""
 
 _NOTICEABLE_S = 0.02
+
+_APART_ROUNDS = 4
+"""How often limbs are calmed and kept apart again, if they have to be."""
 
 _LARGEST_SEED = 2**64 - 1
 """NumPy's generators refuse negative ones."""
@@ -206,13 +210,27 @@ def _moving_body(
 
 
 def _apart(skeleton: Skeleton, body: BodyMotion, *, physics: bool) -> tuple[BodyMotion, tuple[Decision, ...]]:
-    """The body with its limbs apart, with `physics` also after its mass has swung."""
-    body, moved = resolve_collisions(skeleton, body)
+    """The body with its limbs apart and its arms no faster than arms are, with `physics` also after its mass has
+    swung."""
+    body, moved = _apart_and_calm(skeleton, body)
     if not physics:
         return body, moved
     body, swung = with_physics(skeleton, body)
-    body, cleared = resolve_collisions(skeleton, body)
+    body, cleared = _apart_and_calm(skeleton, body)
     return body, (*moved, *swung, *cleared)
+
+
+def _apart_and_calm(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decision, ...]]:
+    """Limbs that are kept apart may be too fast, and those that are calmed inside something: in turns, until they are
+    neither."""
+    body, decisions = resolve_collisions(skeleton, body)
+    for _round in range(_APART_ROUNDS):
+        calm = with_calm_arms(skeleton, body)
+        if calm is body:
+            break
+        body, moved = resolve_collisions(skeleton, calm)
+        decisions = (*decisions, *moved)
+    return body, decisions
 
 
 def frame_times_s(end_s: float, frame_rate_hz: int) -> FloatArray:

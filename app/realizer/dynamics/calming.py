@@ -1,59 +1,130 @@
 """Arms that are nowhere faster than arms are: where a wrist would be, or a joint would turn faster, the arm takes its
 turn less sharply, a little longer before and after it.
+
+Arms are calmed twice: by themselves, before the trunk follows them, and in the world, after all that moves them besides
+has added its own speed: trunk and steps, hands that drag, limbs that are kept apart.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
 from math import ceil
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...model import FloatArray
+from ...model import FloatArray, Hand
 from ..arms.posing import ARM_ROWS, wrists_of
-from ..body.skeleton import Skeleton
-from ..geometry.rotations import normalized
+from ..body.motion import BodyMotion
+from ..body.skeleton import Skeleton, forward
+from ..geometry.rotations import keep_signs, normalized, rotate
 from ..geometry.smoothing import smoothed
+from ..gestures.arm_joints import arm_joints
 
-_FASTEST_M_S = 2.5
-"""Of a wrist beside the trunk, which adds its own speed: none is faster than 3 m/s on the whole."""
-_FASTEST_RAD_S = 16.0
-"""Of collarbone, shoulder and elbow, about any axis."""
+Wrists = Callable[[Sequence[FloatArray], slice], FloatArray]
+"""The places (2, F, 3) of the wrists of a left and a right arm (F, 19, 4) in these frames."""
+
+
+@dataclass(frozen=True, slots=True)
+class FastestArms:
+    """The most of a wrist's speed, and of that of the joints in these rows of an arm, about any axis."""
+
+    wrist_m_s: float
+    joint_rad_s: float
+    rows: slice
+
+
+BY_THEMSELVES = FastestArms(2.5, 16.0, ARM_ROWS)
+"""Beside the trunk, which adds its own speed."""
+IN_THE_WORLD = FastestArms(2.9, 18.5, slice(0, 4))
+"""No wrist is faster than 3 m/s on the whole, and neither hand nor arm turns by more than 20 rad/s."""
+
 _ROUNDS, _CALMER_S, _AROUND_S = 8, 0.045, 0.08
 _NEAR = 0.15
 """The share of fast frames around one of which it is calmed wholly."""
 _BESIDE_S = 0.6
 """What is farther from a fast frame than both smoothings reach is not calmed."""
+_TRUNK = ("hips", "spine", "chest", "upperChest")
 
 
 def calm(skeleton: Skeleton, arms: Sequence[FloatArray], times_s: FloatArray) -> FloatArray:
-    """Smooth the left and the right arm (T, 19, 4), in place, around what is faster than `_FASTEST_M_S` or
-    `_FASTEST_RAD_S`; the places of the wrists (2, T, 3) afterwards. The first and the last pose stay."""
-    step_s = float(times_s[1] - times_s[0]) if len(times_s) > 1 else 1.0
-    wrists_m = wrists_of(skeleton, *arms)
+    """Smooth the left and the right arm (T, 19, 4), in place, around what is faster than arms are by themselves; the
+    places of the wrists (2, T, 3) afterwards. The first and the last pose stay."""
+    return _calmed(arms, times_s, lambda some, _frames: wrists_of(skeleton, *some), BY_THEMSELVES)
+
+
+def with_calm_arms(skeleton: Skeleton, body: BodyMotion) -> BodyMotion:
+    """The body with its arms smoothed around what is too fast in the world; the same body where nothing is."""
+    arms = [body.rotations[:, skeleton.rows(*arm_joints(side))] for side in (Hand.LEFT, Hand.RIGHT)]
+    wrists = _carried(skeleton, body)
+    if not _fast(wrists(arms, slice(None)), arms, _step_s(body.times_s), IN_THE_WORLD).any():
+        return body
+    body = replace(body, rotations=body.rotations.copy())
+    arms = [body.rotations[:, skeleton.rows(*arm_joints(side))] for side in (Hand.LEFT, Hand.RIGHT)]
+    for arm in arms:
+        keep_signs(arm)
+    _calmed(arms, body.times_s, wrists, IN_THE_WORLD)
+    return body
+
+
+def _carried(skeleton: Skeleton, body: BodyMotion) -> Wrists:
+    """Where wrists are in the world, carried by this body's chest."""
+    at_m, turned = forward(skeleton, body.rotations, body.hips_m, _trunk(skeleton))
+    chest = skeleton.index["upperChest"]
+    upright_m = np.sum(skeleton.offsets_m[skeleton.chain(*_TRUNK[1:])], axis=0)
+    across = np.array([[[1.0, 1.0, 1.0]], [[-1.0, 1.0, 1.0]]])
+
+    def wrists(arms: Sequence[FloatArray], frames: slice) -> FloatArray:
+        out_m = wrists_of(skeleton, *arms) * across - upright_m
+        return np.asarray(at_m[frames, chest] + rotate(turned[frames, chest], out_m))
+
+    return wrists
+
+
+@lru_cache(maxsize=64)
+def _trunk(skeleton: Skeleton) -> frozenset[int]:
+    return frozenset(skeleton.chain(*_TRUNK))
+
+
+def _calmed(arms: Sequence[FloatArray], times_s: FloatArray, wrists: Wrists, fastest: FastestArms) -> FloatArray:
+    """Smooth both arms in place; the places of the wrists afterwards."""
+    step_s = _step_s(times_s)
+    wrists_m = wrists(arms, slice(None))
     from_end_s = np.minimum(times_s - times_s[0], times_s[-1] - times_s)
     free = np.clip(from_end_s / _AROUND_S - 1.0, 0.0, 1.0)[:, None, None]
     for _round in range(_ROUNDS):
-        speeds = np.linalg.norm(np.diff(wrists_m, axis=1, append=wrists_m[:, -1:]), axis=2) / step_s
-        fast = (speeds > _FASTEST_M_S) | np.stack([_turns_fast(arm, step_s) for arm in arms])
+        fast = _fast(wrists_m, arms, step_s, fastest)
         if not fast.any():
-            return wrists_m
+            break
         for part in _stretches(fast.any(axis=0), ceil(_BESIDE_S / step_s)):
             for arm, quick in zip(arms, fast[:, part], strict=True):
                 near = smoothed(quick.astype(float)[:, None], _AROUND_S / step_s)
                 weight = np.clip(near / _NEAR, 0.0, 1.0)[:, :, None]
                 calmer = smoothed(arm[part], _CALMER_S / step_s)
                 arm[part] = normalized(arm[part] + free[part] * weight * (calmer - arm[part]))
-            wrists_m[:, part] = wrists_of(skeleton, *(arm[part] for arm in arms))
+            wrists_m[:, part] = wrists([arm[part] for arm in arms], part)
     return wrists_m
 
 
-def _turns_fast(arm: FloatArray, step_s: float) -> NDArray[np.bool_]:
-    """Whether a joint turns too fast from a frame (T,) to the next. Between two unit quaternions that are close it is
-    twice their distance, whichever sign they have."""
-    rows = arm[:, ARM_ROWS]
+def _step_s(times_s: FloatArray) -> float:
+    return float(times_s[1] - times_s[0]) if len(times_s) > 1 else 1.0
+
+
+def _fast(
+    wrists_m: FloatArray, arms: Sequence[FloatArray], step_s: float, fastest: FastestArms
+) -> NDArray[np.bool_]:
+    """Whether each arm is too fast from a frame to the next (2, T)."""
+    speeds = np.linalg.norm(np.diff(wrists_m, axis=1, append=wrists_m[:, -1:]), axis=2) / step_s
+    most_rad = fastest.joint_rad_s * step_s
+    return (speeds > fastest.wrist_m_s) | np.stack([_turns_fast(arm[:, fastest.rows], most_rad) for arm in arms])
+
+
+def _turns_fast(rows: FloatArray, most_rad: float) -> NDArray[np.bool_]:
+    """Whether a joint (T, J, 4) turns too far from a frame to the next. Between two unit quaternions that are close it
+    is twice their distance, whichever sign they have."""
     following = np.concatenate([rows[1:], rows[-1:]])
     apart = np.minimum(np.linalg.norm(following - rows, axis=-1), np.linalg.norm(following + rows, axis=-1))
-    return np.asarray((2 * apart > _FASTEST_RAD_S * step_s).any(axis=-1))
+    return np.asarray((2 * apart > most_rad).any(axis=-1))
 
 
 def _stretches(marked: NDArray[np.bool_], margin: int) -> list[slice]:

@@ -4,9 +4,11 @@ import numpy as np
 
 from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.rest_poses import rest_pose
-from understudy.realizer.body.skeleton import Skeleton
-from understudy.realizer.dynamics.calming import calm
-from understudy.realizer.geometry.rotations import angle_between, from_axis_angle, multiply
+from understudy.realizer.body.motion import BodyMotion
+from understudy.realizer.body.skeleton import Skeleton, forward
+from understudy.realizer.dynamics.calming import calm, with_calm_arms
+from understudy.realizer.geometry.rotations import IDENTITY, angle_between, from_axis_angle, multiply
+from understudy.realizer.gestures.arm_joints import arm_joints
 
 RATE_HZ = 60
 FASTEST_M_S = 3.0
@@ -53,3 +55,52 @@ def test_an_elbow_that_turns_too_fast_is_calmed_though_its_wrist_stays() -> None
     calm(skeleton, arms, times_s)
     assert angle_between(arms[1][1:, 2], arms[1][:-1, 2]).max() * RATE_HZ < 18
     assert angle_between(arms[1][-1, 2], arms[1][0, 2]) > np.radians(80)
+
+
+def carried(length_s: float) -> tuple[Skeleton, BodyMotion]:
+    """A body whose stretched right arm swings from the side to the front in .3 s, as its hips turn with it."""
+    skeleton, times_s = Skeleton.standing(), np.arange(0.0, length_s, 1 / RATE_HZ)
+    share = np.clip((times_s - 1.0) / 0.3, 0.0, 1.0)
+    rotations = np.tile(IDENTITY, (len(times_s), len(skeleton.names), 1))
+    rotations[:, 0] = from_axis_angle((0.0, 1.0, 0.0), np.radians(20) * share)
+    rotations[:, skeleton.index["rightUpperArm"]] = from_axis_angle((0.0, 1.0, 0.0), np.radians(80) * share)
+    return skeleton, BodyMotion(times_s, rotations, np.tile(skeleton.offsets_m[0], (len(times_s), 1)))
+
+
+def wrist_speeds_m_s(skeleton: Skeleton, body: BodyMotion) -> FloatArray:
+    at_m, _turned = forward(skeleton, body.rotations, body.hips_m)
+    wrists_m = at_m[:, skeleton.chain("leftHand", "rightHand")]
+    return np.asarray(np.linalg.norm(np.diff(wrists_m, axis=0), axis=2) * RATE_HZ)
+
+
+def test_what_the_trunk_adds_to_the_speed_of_a_wrist_is_calmed_in_the_world() -> None:
+    skeleton, body = carried(2.0)
+    by_itself = [body.rotations[:, skeleton.rows(*arm_joints(side))].copy() for side in (Hand.LEFT, Hand.RIGHT)]
+    wrists_m = calm(skeleton, by_itself, body.times_s)
+    rows = skeleton.rows(*arm_joints(Hand.RIGHT))
+    body.rotations[:, rows] = by_itself[1]
+    assert np.linalg.norm(np.diff(wrists_m, axis=1), axis=2).max() * RATE_HZ < FASTEST_M_S
+    assert wrist_speeds_m_s(skeleton, body).max() > FASTEST_M_S
+    calmer = with_calm_arms(skeleton, body)
+    assert wrist_speeds_m_s(skeleton, calmer).max() < FASTEST_M_S
+    assert np.allclose(calmer.rotations[[0, -1]], body.rotations[[0, -1]])
+    others = [joint for joint in range(len(skeleton.names)) if not skeleton.names[joint].startswith("right")]
+    assert np.array_equal(calmer.rotations[:, others], body.rotations[:, others])
+
+
+def test_a_hand_that_turns_too_fast_is_calmed_though_its_wrist_stays() -> None:
+    skeleton, body = carried(2.0)
+    body.rotations[:] = body.rotations[0]
+    hand = skeleton.index["rightHand"]
+    turns = np.radians(40) * np.clip((body.times_s - 1.0) / 0.03, 0.0, 1.0)
+    body.rotations[:, hand] = multiply(from_axis_angle((0.0, 0.0, 1.0), turns), body.rotations[:, hand])
+    assert angle_between(body.rotations[1:, hand], body.rotations[:-1, hand]).max() * RATE_HZ > 20
+    calmer = with_calm_arms(skeleton, body).rotations
+    assert angle_between(calmer[1:, hand], calmer[:-1, hand]).max() * RATE_HZ < 20
+    assert angle_between(calmer[-1, hand], calmer[0, hand]) > np.radians(38)
+
+
+def test_a_body_that_is_calm_is_left_alone() -> None:
+    skeleton, body = carried(2.0)
+    body.rotations[:] = body.rotations[0]
+    assert with_calm_arms(skeleton, body) is body
