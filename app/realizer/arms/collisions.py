@@ -21,7 +21,7 @@ from ..body.skeleton import SIDES, Skeleton
 from .clearing import ClearingMode, cleared
 from .displacements import around, frames_in, stretches, taper
 
-_SWELLS_S = (0.18, 0.27, 0.36)
+_SWELLS_S = (0.18, 0.27, 0.36, 0.5)
 """Over how long a displacement is blended in; longer only where something stays inside."""
 _LOOK_S, _NEAR_M = 0.067, 0.012
 _FASTEST_RAD_S = 19.0
@@ -84,8 +84,9 @@ def _clearances(
 def depths_where_near_m(skeleton: Skeleton, body: BodyMotion) -> FloatArray:
     """The depths (T, P) in all frames in which a limb may be inside something; the others', -1, are not looked at.
 
-    One frame every `_LOOK_S` is, and if one has a limb within `_NEAR_M` of something, the frames around it: how far
-    limbs accelerate towards something from one of these frames to the next is less.
+    One frame every `_LOOK_S` is, and if one has a limb within `_NEAR_M` of something, or would have between it and the
+    next as fast as limbs come before and go after, the frames around it: how far limbs accelerate towards something
+    from one of these frames to the next is less.
     """
     frames, stride = len(body.rotations), frames_in(body.times_s, _LOOK_S)
     looked_at = np.zeros(frames, dtype=bool)
@@ -93,10 +94,26 @@ def depths_where_near_m(skeleton: Skeleton, body: BodyMotion) -> FloatArray:
     found = np.full((frames, len(PAIRS)), -1.0)
     first = np.flatnonzero(looked_at)
     found[first] = depths_m(skeleton, body.rotations, body.hips_m, first)
-    near = np.flatnonzero(around(found.max(axis=1) > -_NEAR_M, stride) & ~looked_at)
+    found_near = found.max(axis=1) > -_NEAR_M
+    found_near[first[:-1][_deepest_between_m(found[first]) > -_NEAR_M]] = True
+    near = np.flatnonzero(around(found_near, stride) & ~looked_at)
     if len(near):
         found[near] = depths_m(skeleton, body.rotations, body.hips_m, near)
     return found
+
+
+def _deepest_between_m(depth_m: FloatArray) -> FloatArray:
+    """How deep (F - 1,) any limb is between each of the frames (F, P) that are looked at and the next, if it comes as
+    fast as before the first of the two and goes as fast as after the second: hands in a stroke may be in each other for
+    two frames."""
+    steps_m = np.diff(depth_m, axis=0)
+    still = np.zeros((1, depth_m.shape[1]))
+    comes_m = np.maximum(np.concatenate([still, steps_m[:-1]]), 0.0)
+    goes_m = np.maximum(np.concatenate([-steps_m[1:], still]), 0.0)
+    both_m = np.maximum(comes_m + goes_m, 1e-9)
+    between_m = (depth_m[:-1] * goes_m + depth_m[1:] * comes_m + comes_m * goes_m) / both_m
+    moving = (comes_m > 0) & (goes_m > 0)
+    return np.asarray(np.where(moving, between_m, -1.0).max(axis=1))
 
 
 def _decisions(depths: FloatArray, times_s: FloatArray) -> tuple[Decision, ...]:

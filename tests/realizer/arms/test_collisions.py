@@ -1,5 +1,7 @@
 """Hands stay out of the body and of each other, smoothly; what is clear is left as it is."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -119,3 +121,21 @@ def test_no_frame_in_which_a_hand_is_inside_something_is_overlooked(keys: tuple[
     everywhere, looked_at = depths_m(BODY, body.rotations, body.hips_m), depths_where_near_m(BODY, body)
     assert np.maximum(looked_at, 0.0) == pytest.approx(np.maximum(everywhere, 0.0), abs=1e-12)
     assert np.mean(looked_at.max(axis=1) == -1.0) > 0.3
+
+
+@pytest.mark.parametrize("shift", range(4))
+def test_hands_that_are_in_each_other_for_three_frames_only_are_found(shift: int) -> None:
+    """The right hand strikes at the left one and is back a moment later, between two of the frames that are looked
+    at."""
+    body, start = moving((Hand.LEFT, MIDDLE)), rest(Hand.RIGHT)
+    aside, inside = (
+        pose_arm(BODY, Hand.RIGHT, ArmKey(place, HandShape(HandForm.FLAT), wrist=Wrist())).over(start)
+        for place in (replace(MIDDLE, offset_m=(0.25, 0.0, 0.0)), replace(MIDDLE, offset_m=(0.04, 0.0, 0.0)))
+    )
+    keys = ((0.0, start), (1.14, aside), (1.2, inside), (1.26, aside), (2.5, start))
+    track = ArmTrack(Hand.RIGHT, tuple(TimedPose(*key) for key in keys))
+    body.rotations[:, BODY.chain(*arm_joints(Hand.RIGHT))] = arm_motion(track, TIMES_S, seed=0)
+    shifted = BodyMotion(TIMES_S[shift:] - TIMES_S[shift], body.rotations[shift:], body.hips_m[shift:])
+    inside_m = depths_m(BODY, shifted.rotations, shifted.hips_m).max(axis=1)
+    assert 1 <= np.sum(inside_m > 0) <= 3
+    assert np.array_equal(depths_where_near_m(BODY, shifted).max(axis=1) > 0, inside_m > 0)
