@@ -2,7 +2,7 @@
 
 import pytest
 
-from understudy.model import Behavior, Channel, Hand, Level, Schedule, SyncPoints
+from understudy.model import Behavior, Channel, Hand, Level, Manner, Schedule, SyncPoints
 from understudy.models import load_realizer
 from understudy.realizer.body.contacts import penetrations_m
 from understudy.realizer.realizing import Realizer, realize
@@ -67,6 +67,15 @@ def test_hands_that_fold_go_to_the_side_on_which_they_rest(realizer: Realizer) -
     )
     asked = (walk, hush, posture("HANDS_FOLDED", 4.5), throw)
     assert_clear(realizer, Schedule(asked, 6.0, agitation=Level.HIGH), seed=2)
+
+
+def test_what_is_left_of_a_hand_inside_the_other_is_left_again(realizer: Realizer) -> None:
+    """One hand goes to be folded as the other says no: in the best way, at one go, it stays 2 cm inside."""
+    sync = SyncPoints(1.055, 2.882, 1.505, 1.505, 1.938, 2.123, 2.352)
+    manner = Manner(amplitude=0.99, speed=1.0, tension=0.82)
+    no = Behavior("gesture1", Channel.GESTURE, "NEGATION", sync, 0, 0, 8.6, hand=Hand.RIGHT, amount=0.3, manner=manner)
+    asked = (no, posture("HANDS_FOLDED", 1.216))
+    assert_clear(realizer, Schedule(asked, 3.335, agitation=Level.LOW, character="reserved"), seed=2)
 
 
 def assert_clear(realizer: Realizer, schedule: Schedule, *, seed: int) -> None:

@@ -5,7 +5,7 @@ along the shortest way out. The displacement is blended in and out over the surr
 continuous, and the arm is solved again for its new wrist. The hand keeps its orientation as far as joint limits allow.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import product
 
@@ -21,11 +21,12 @@ from ..body.skeleton import SIDES, Skeleton
 from .clearing import ClearingMode, cleared
 from .displacements import around, frames_in, stretches, taper
 
-_SWELLS_S = (0.18, 0.27, 0.36, 0.5)
+_SWELLS_S = (0.18, 0.27, 0.36)
 """Over how long a displacement is blended in; longer only where something stays inside."""
 _LOOK_S, _NEAR_M = 0.067, 0.012
 _FASTEST_RAD_S = 19.0
 _TOLERATED_M = 0.001
+_ATTEMPTS = 3
 
 
 def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decision, ...]]:
@@ -36,24 +37,18 @@ def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion
     without making a joint jump.
 
     Where something stays inside, as when both arms fold at once, displacements are blended in over a longer time, and
-    then limbs leave on another side.
+    then limbs leave on another side; what is left after the best of these is left again, from there.
     """
     body = replace(body, rotations=clamped(skeleton, body.rotations))
     depth_m = depths_where_near_m(skeleton, body)
     decisions = _decisions(depth_m, body.times_s)
-    if not decisions:
-        return body, ()
-    inside, best = depth_m.max(axis=1) > 0, tuple[_Clearance, ...]()
-    for as_it_ends, swell_s in product((False, True), _SWELLS_S):
-        way = ClearingMode(frames_in(body.times_s, swell_s), as_it_ends)
-        tried = tuple(_clearances(skeleton, body, inside, way))
-        best = tried if not best or _left_m(tried) < _left_m(best) else best
-        if _left_m(best) <= _TOLERATED_M:
+    unsolved: tuple[_Clearance, ...] = ()
+    for _attempt in range(_ATTEMPTS if decisions else 0):
+        unsolved = _left_inside(skeleton, body, depth_m.max(axis=1) > 0)
+        if not unsolved:
             break
-    for each in best:
-        body.rotations[each.there] = each.rotations  # a copy already, and stretches do not overlap
-    unsolved = (_unsolved(body.times_s[each.there], each.left_m) for each in best if each.left_m > _TOLERATED_M)
-    return body, (*decisions, *unsolved)
+        depth_m = depths_where_near_m(skeleton, body)
+    return body, (*decisions, *(_unsolved(body.times_s[each.there], each.left_m) for each in unsolved))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -65,8 +60,30 @@ class _Clearance:
     left_m: float
 
 
-def _left_m(clearances: Sequence[_Clearance]) -> float:
-    return max(each.left_m for each in clearances)
+def _left_inside(skeleton: Skeleton, body: BodyMotion, inside: NDArray[np.bool_]) -> tuple[_Clearance, ...]:
+    """Clear the stretches around the frames that are `inside` something, in place, each in the first way that does; the
+    stretches for which none does, cleared in the one that does best."""
+    left_m: dict[ClearingMode, float] = {}
+    for as_it_ends, swell_s in product((False, True), _SWELLS_S):
+        way = ClearingMode(frames_in(body.times_s, swell_s), as_it_ends)
+        found = _cleared(skeleton, body, inside, way)
+        left_m[way] = max(each.left_m for each in found)
+        if left_m[way] <= _TOLERATED_M:
+            return ()
+    return _cleared(skeleton, body, inside, min(left_m, key=left_m.__getitem__), at_most_m=np.inf)
+
+
+def _cleared(
+    skeleton: Skeleton, body: BodyMotion, inside: NDArray[np.bool_], way: ClearingMode, at_most_m: float = _TOLERATED_M
+) -> tuple[_Clearance, ...]:
+    """The stretches around the frames that are `inside` something; those of which no more than `at_most_m` is left are
+    cleared, in place, and inside no more."""
+    found = tuple(_clearances(skeleton, body, inside, way))
+    for each in found:
+        if each.left_m <= at_most_m:
+            body.rotations[each.there] = each.rotations  # a copy already, and stretches do not overlap
+            inside[each.there] = False
+    return found
 
 
 def _clearances(
