@@ -34,20 +34,19 @@ _TOGETHER = _together()
 
 @dataclass(frozen=True, slots=True)
 class ClearingMode:
-    """How a stretch is cleared: displacements are blended over `swell` frames, and limbs leave what they are in on the
-    side on which they are on the whole, or, where that does not do, `as_it_ends`: on that on which they come out last,
-    as hands that fold on their way to rest must."""
+    """How a stretch is cleared: displacements are blended over `swell` frames, no joint turns by more than `most_rad`
+    from frame to frame unless it did before, and limbs leave what they are in on the side on which they are on the
+    whole, or, where that does not do, `as_it_ends`: on that on which they come out last, as hands that fold on their
+    way to rest must."""
 
     swell: int
+    most_rad: float
     as_it_ends: bool = False
 
 
-def cleared(
-    skeleton: Skeleton, start: PosedBody, way: ClearingMode, weights: FloatArray, most_rad: float
-) -> tuple[FloatArray, float]:
+def cleared(skeleton: Skeleton, start: PosedBody, way: ClearingMode, weights: FloatArray) -> tuple[FloatArray, float]:
     """The local rotations of a stretch of frames after the round with the least penetration, and its depth in metres;
-    displacements are times `weights` (F, 1), and no joint turns by more than `most_rad` from frame to frame unless it
-    did before."""
+    displacements are times `weights` (F, 1)."""
     found = contacts(skeleton, start)
     nothing = np.zeros((len(start.rotations), 3))
     pushes = dict.fromkeys(SIDES, Displacement(nothing, nothing))
@@ -62,7 +61,7 @@ def cleared(
         body = start.with_arms(skeleton, displaced(skeleton, start, swelling))
         found = contacts(skeleton, body)
         turned, before = (each.rotations.take(arms, axis=1) for each in (body, start))
-        if found.depth_m.max() < least_m and not _jumps(turned, before, most_rad):
+        if found.depth_m.max() < least_m and not _jumps(turned, before, way.most_rad):
             least_m, rotations = float(found.depth_m.max()), body.rotations
         if found.depth_m.max() <= 0:
             break

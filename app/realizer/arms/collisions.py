@@ -24,7 +24,8 @@ from .displacements import around, frames_in, stretches, taper
 _SWELLS_S = (0.18, 0.27, 0.36)
 """Over how long a displacement is blended in; longer only where something stays inside."""
 _LOOK_S, _NEAR_M = 0.067, 0.012
-_FASTEST_RAD_S = 19.0
+_FASTEST_RAD_S = (19.0, 28.0)
+"""How fast joints may turn to get limbs out; faster only where something stays inside: it can be calmed after."""
 _TOLERATED_M = 0.001
 _ATTEMPTS = 3
 
@@ -64,8 +65,9 @@ def _left_inside(skeleton: Skeleton, body: BodyMotion, inside: NDArray[np.bool_]
     """Clear the stretches around the frames that are `inside` something, in place, each in the first way that does; the
     stretches for which none does, cleared in the one that does best."""
     left_m: dict[ClearingMode, float] = {}
-    for as_it_ends, swell_s in product((False, True), _SWELLS_S):
-        way = ClearingMode(frames_in(body.times_s, swell_s), as_it_ends)
+    step_s = _SWELLS_S[0] / frames_in(body.times_s, _SWELLS_S[0])
+    for fastest_rad_s, as_it_ends, swell_s in product(_FASTEST_RAD_S, (False, True), _SWELLS_S):
+        way = ClearingMode(frames_in(body.times_s, swell_s), fastest_rad_s * step_s, as_it_ends)
         found = _cleared(skeleton, body, inside, way)
         left_m[way] = max(each.left_m for each in found)
         if left_m[way] <= _TOLERATED_M:
@@ -90,12 +92,11 @@ def _clearances(
     skeleton: Skeleton, body: BodyMotion, inside: NDArray[np.bool_], way: ClearingMode
 ) -> Iterator[_Clearance]:
     """The stretches around the frames with a limb `inside` something."""
-    most_rad = _FASTEST_RAD_S * _SWELLS_S[0] / frames_in(body.times_s, _SWELLS_S[0])
     for first, past in stretches(around(inside, 2 * way.swell)):
         there, ends = slice(first, past), (first > 0, past < len(inside))
         posed = PosedBody.of(skeleton, body.rotations[there], body.hips_m[there])
         weights = taper(past - first, way.swell, ends)
-        yield _Clearance(there, *cleared(skeleton, posed, way, weights, most_rad))
+        yield _Clearance(there, *cleared(skeleton, posed, way, weights))
 
 
 def depths_where_near_m(skeleton: Skeleton, body: BodyMotion) -> FloatArray:

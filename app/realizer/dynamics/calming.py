@@ -110,9 +110,7 @@ def _step_s(times_s: FloatArray) -> float:
     return float(times_s[1] - times_s[0]) if len(times_s) > 1 else 1.0
 
 
-def _fast(
-    wrists_m: FloatArray, arms: Sequence[FloatArray], step_s: float, fastest: FastestArms
-) -> NDArray[np.bool_]:
+def _fast(wrists_m: FloatArray, arms: Sequence[FloatArray], step_s: float, fastest: FastestArms) -> NDArray[np.bool_]:
     """Whether each arm is too fast from a frame to the next (2, T)."""
     speeds = np.linalg.norm(np.diff(wrists_m, axis=1, append=wrists_m[:, -1:]), axis=2) / step_s
     most_rad = fastest.joint_rad_s * step_s
@@ -120,11 +118,9 @@ def _fast(
 
 
 def _turns_fast(rows: FloatArray, most_rad: float) -> NDArray[np.bool_]:
-    """Whether a joint (T, J, 4) turns too far from a frame to the next. Between two unit quaternions that are close it
-    is twice their distance, whichever sign they have."""
-    following = np.concatenate([rows[1:], rows[-1:]])
-    apart = np.minimum(np.linalg.norm(following - rows, axis=-1), np.linalg.norm(following + rows, axis=-1))
-    return np.asarray((2 * apart > most_rad).any(axis=-1))
+    """Whether a joint (T, J, 4) turns too far from a frame to the next."""
+    cosines = np.abs(np.einsum("tjq,tjq->tj", rows[1:], rows[:-1])).min(axis=1, initial=1.0)
+    return np.append(cosines < np.cos(most_rad / 2), False)
 
 
 def _stretches(marked: NDArray[np.bool_], margin: int) -> list[slice]:

@@ -6,9 +6,9 @@ together blend into units, and units end at rest (`arm_timelines`). Whatever is 
 `Decision`. docs/realizer-scheduling.md explains the rules.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import chain, pairwise
 from math import inf, isinf
 from types import MappingProxyType
 
@@ -16,7 +16,7 @@ import numpy as np
 
 from ...model import Hand, Schedule, SyncPoints
 from ..body.motion import Decision
-from ..body.movement_style import PLAIN, MovementStyle
+from ..body.movement_style import PLAIN, MovementStyle, Strokes
 from ..dynamics.drawing import drawn
 from ..dynamics.resting_beats import Habits
 from ..dynamics.resting_beats import with_beats as riding
@@ -136,10 +136,10 @@ def chosen_clips(
         options, told = draw.options(request, kept, shown_m)
         if request is not plain:
             others, told_plain = draw.options(plain, kept, {})
-            options, told = (*options, *others), told if options else told_plain
+            options, told = [*options, *others], told if options else told_plain
         decisions += told
         if options:
-            admission = admit(options, kept, setting)
+            admission = admit(chain.from_iterable(options), kept, setting)
             kept = admission.kept
             decisions += (*admission.decisions, *_late(kept, request))
     return KeptGestures(kept, (*decisions, *_shown(asked, kept)))
@@ -156,22 +156,46 @@ class Draw:
 
     def options(
         self, request: GestureRequest, kept: Iterable[PlacedGesture], shown_m: Mapping[str, Position]
-    ) -> tuple[tuple[PlacedGesture, ...], tuple[Decision, ...]]:
-        """The gestures that fit a request in the order in which they are tried, and decisions about it."""
+    ) -> tuple[list[Iterator[PlacedGesture]], tuple[Decision, ...]]:
+        """The gestures that fit a request in the order in which they are tried, made when they are, and decisions about
+        it; nothing if there are none."""
         clips, told = candidate_clips(request, self.library)
         if not clips:
-            return (), told
+            return [], told
         before = [each.clip.name for each in kept if each.clip.category == clips[0].category]
         order = finger_first(shuffled(clips, before[-1] if before else None, self.rng), request)
         plain = [with_target(place_clip(clip, request), self.targets_m) for clip in order]
+        return [_late_ones_last(self._made(plain, shown_m))], told
+
+    def _made(self, plain: Sequence[PlacedGesture], shown_m: Mapping[str, Position]) -> Iterator[PlacedGesture]:
+        """The gestures as they are to be; then those that do not show what their words say, and those without the
+        strength of the others."""
         shown = [showing(each, shown_m) for each in plain]
-        others = [one for one, other in zip(plain, shown, strict=True) if one is not other]
-        style, seed = self.setting.style, self.setting.seed
-        strong = [wound_up(lifted(each, style.strokes), style.strokes) for each in shown]
-        others += [one for one, other in zip(shown, strong, strict=True) if one is not other]
-        made = (snapped(each, style.strokes, drawn(seed, each, _PACE)) for each in (*strong, *others))
-        options = [in_time(each, style.ends.still_s) for each in made]
-        return tuple(sorted(options, key=lambda each: each.stroke_start_s < 0)), told
+        others, strokes = [one for one, other in zip(plain, shown, strict=True) if one is not other], self._strokes
+        for each in shown:
+            strong = wound_up(lifted(each, strokes), strokes)
+            others += [each] if strong is not each else []
+            yield self._quick(strong)
+        yield from map(self._quick, others)
+
+    def _quick(self, placed: PlacedGesture) -> PlacedGesture:
+        quick = snapped(placed, self._strokes, drawn(self.setting.seed, placed, _PACE))
+        return in_time(quick, self.setting.style.ends.still_s)
+
+    @property
+    def _strokes(self) -> Strokes:
+        return self.setting.style.strokes
+
+
+def _late_ones_last(options: Iterable[PlacedGesture]) -> Iterator[PlacedGesture]:
+    """The gestures, after the others those whose strokes would begin before the first frame."""
+    late = []
+    for each in options:
+        if each.stroke_start_s < 0:
+            late.append(each)
+        else:
+            yield each
+    yield from late
 
 
 def _shown(asked: Iterable[GestureRequest], kept: Iterable[PlacedGesture]) -> Iterator[Decision]:

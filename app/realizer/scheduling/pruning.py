@@ -6,8 +6,9 @@ in `understudy.model.limits.gesture_limits`, by which our own schedules are made
 BML.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import tee
 
 from ...model import Hand
 from ...model.limits.gesture_limits import shortest_transition_s
@@ -37,15 +38,17 @@ class KeptGestures:
 
 
 def admit(
-    options: Sequence[PlacedGesture], kept: tuple[PlacedGesture, ...], setting: TransitionContext
+    options: Iterable[PlacedGesture], kept: tuple[PlacedGesture, ...], setting: TransitionContext
 ) -> KeptGestures:
     """Try to add one gesture to those kept; `options` are its clips in order of preference."""
     decisions: list[Decision] = []
     while True:
-        first, hurdle = options[0], obstacle(options[0], kept, setting)
+        options, tried = tee(options)
+        first = next(tried)
+        hurdle = obstacle(first, kept, setting)
         if hurdle is None:
             return KeptGestures((*kept, first), tuple(decisions))
-        others = options[1:] if hurdle.replaceable else ()
+        others = tried if hurdle.replaceable else ()
         other = next((option for option in others if obstacle(option, kept, setting) is None), None)
         if other is not None:
             if other.clip.name != first.clip.name or first.request.slots:

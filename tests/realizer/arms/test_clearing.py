@@ -17,7 +17,7 @@ SWELL = 11
 def test_limbs_leave_what_they_are_in(keys: tuple[tuple[Hand, SectorPlace], ...], as_it_ends: bool) -> None:
     body = moving(*keys)
     posed, everywhere = PosedBody.of(BODY, body.rotations, body.hips_m), np.ones((len(body.times_s), 1))
-    rotations, left_m = cleared(BODY, posed, ClearingMode(SWELL, as_it_ends), everywhere, 0.3)
+    rotations, left_m = cleared(BODY, posed, ClearingMode(SWELL, 0.3, as_it_ends), everywhere)
     assert left_m <= 0
     assert depths_m(BODY, rotations, body.hips_m).max() == pytest.approx(left_m, abs=1e-9)
 
@@ -28,6 +28,6 @@ def test_what_would_make_a_joint_jump_is_not_done() -> None:
     held = slice(66, 96)
     posed = PosedBody.of(BODY, body.rotations[held], body.hips_m[held])
     every_second = (np.arange(30) % 2.0)[:, None]
-    rotations, left_m = cleared(BODY, posed, ClearingMode(SWELL), every_second, 0.01)
+    rotations, left_m = cleared(BODY, posed, ClearingMode(SWELL, 0.01), every_second)
     assert left_m == pytest.approx(depths_m(BODY, posed.rotations, body.hips_m[held]).max())
     assert rotations is posed.rotations
