@@ -96,7 +96,7 @@ def _calmed(arms: Sequence[FloatArray], times_s: FloatArray, wrists: Wrists, fas
         fast = _fast(wrists_m, arms, step_s, fastest)
         if not fast.any():
             break
-        for part in _stretches(fast.any(axis=0), ceil(_BESIDE_S / step_s)):
+        for part in _stretches(fast[0] | fast[1], ceil(_BESIDE_S / step_s)):
             for arm, quick in zip(arms, fast[:, part], strict=True):
                 near = smoothed(quick.astype(float)[:, None], _AROUND_S / step_s)
                 weight = np.clip(near / _NEAR, 0.0, 1.0)[:, :, None]
@@ -114,7 +114,8 @@ def _fast(wrists_m: FloatArray, arms: Sequence[FloatArray], step_s: float, faste
     """Whether each arm is too fast from a frame to the next (2, T)."""
     speeds = np.linalg.norm(np.diff(wrists_m, axis=1, append=wrists_m[:, -1:]), axis=2) / step_s
     most_rad = fastest.joint_rad_s * step_s
-    return (speeds > fastest.wrist_m_s) | np.stack([_turns_fast(arm[:, fastest.rows], most_rad) for arm in arms])
+    turns_fast = np.stack([_turns_fast(arm[:, fastest.rows], most_rad) for arm in arms])
+    return np.asarray((speeds > fastest.wrist_m_s) | turns_fast)
 
 
 def _turns_fast(rows: FloatArray, most_rad: float) -> NDArray[np.bool_]:
