@@ -144,6 +144,7 @@ def test_a_motion_model_moves_the_body_to_the_recording(client: TestClient, unde
     for wrong, field, told in (
         (_by_model(client, bml, motion_model="defualt"), "motion_model", "did you mean 'default'"),
         (_by_model(client, bml, motion_model="default", scenario="S9"), "scenario", "give one of S1"),
+        (_by_model(client, bml, scenario="S4"), "scenario", "send motion_model too"),
         (_by_model(client, bml, audio=False, motion_model="default"), "audio", "to a recording's voice"),
     ):
         assert wrong.status_code == 422

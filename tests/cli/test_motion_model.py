@@ -152,6 +152,13 @@ def test_what_cannot_move_is_told(model: Path, tmp_path: Path, capsys: Captured,
     assert not (tmp_path / "x.bml").exists()
 
 
+def test_a_scenario_needs_a_model(tmp_path: Path, capsys: Captured) -> None:
+    line = ["perform", AUDIO, "--text-file", TEXT, "-o", str(tmp_path / "x.bml"), "--realize", str(tmp_path / "x.bvh")]
+    assert main([*line, "--scenario", "S1"]) == 2
+    assert "--scenario drives a motion model; give its --motion-model" in capsys.readouterr().err
+    assert not (tmp_path / "x.bml").exists()
+
+
 def test_motion_is_scored_against_the_recorded_one(pairs: Path, tmp_path: Path, capsys: Captured) -> None:
     """Each session by models of the others, the papers' figures beside; a search for all is the full one."""
     report, figure = tmp_path / "scores.json", tmp_path / "scores.png"

@@ -138,6 +138,8 @@ def _realized(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer,
     require_writer(MOTION_TYPES[media_type])
     asked = _asked(understudy, job, content)
     question, realizer = asked.question, understudy.realizer
+    if asked.scenario and not asked.motion_model:
+        raise InputError("value_wrong", "scenario: drives a motion model; send motion_model too", field="scenario")
     MOTION["tail_s"].check(question.tail_s)
     if question.skeleton:
         realizer.rig(question.skeleton)

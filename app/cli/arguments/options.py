@@ -108,7 +108,7 @@ def add_motion_model(parser: argparse.ArgumentParser) -> None:
     told = "arms, trunk and head of --realize by a motion model: of understudy motion-model train, or default"
     parser.add_argument("--motion-model", metavar="MODEL", type=InputFile, help=told)
     told = "what drives it: voice and affect (S1, S2), voice (S3, S4), affect (S5, S6), or RTS (default S1)"
-    parser.add_argument("--scenario", metavar="S1…S6", default="S1", help=told)
+    parser.add_argument("--scenario", metavar="S1…S6", help=told)
 
 
 def add_functions(parser: argparse.ArgumentParser) -> None:

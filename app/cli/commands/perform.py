@@ -60,14 +60,16 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 def _movement(arguments: argparse.Namespace) -> Callable[[Analysis, AffectTrack | None], Moving] | None:
     """What moves the body by the motion model, if one is asked for. Raises InputError `motion_model`, `usage`."""
     if arguments.motion_model is None:
+        if arguments.scenario:
+            raise InputError("usage", "--scenario drives a motion model; give its --motion-model")
         return None
     if not arguments.realize:
         raise InputError("usage", "--motion-model moves a body; say with --realize where its motion goes")
     if arguments.physics:
         raise InputError("usage", "--motion-model plays recorded motion; leave out --physics")
-    from ...library.motion_models import moving_by, read_motion_model, scenario_named
+    from ...library.motion_models import DEFAULT_SCENARIO, moving_by, read_motion_model, scenario_named
 
-    model, scenario = read_motion_model(arguments.motion_model), scenario_named(arguments.scenario)
+    model, scenario = read_motion_model(arguments.motion_model), scenario_named(arguments.scenario or DEFAULT_SCENARIO)
     return lambda analysis, affect: moving_by(model, analysis, affect, scenario)
 
 
