@@ -1,9 +1,9 @@
 """Greta's BML as BML 1.0 core, with the places of its elements: in its old namespace, or in none, alone or in an
 `fml-apml`, of which only the `bml` is read.
 
-It differs from the core in names (`character`, `tm` for the marks of a speech, `lexeme` inside a `face`), has ids
-twice, and times before the start of the speech, for which the whole block comes later. What the core does not know is
-put into the old namespace, and is reported as all that is foreign.
+It differs from the core in names (`character`, `tm` for the marks of a speech, `lexeme` inside a `face`, the `level` of
+a `description`), has ids twice, and times before the start of the speech, for which the whole block comes later. What
+the core does not know is put into the old namespace, and is reported as all that is foreign.
 
 A `bml` without a namespace is SmartBody's, unless it has marks or heads that are not.
 """
@@ -109,6 +109,8 @@ def _in_core(element: Element, kind: ElementKind) -> Element:
     attributes = {key: str(text) for key, text in element.attributes.items()}
     if "id" in kind.attributes:
         attributes["id"] = _NOT_IN_IDS.sub("_", attributes.get("id", kind.name))
+    if kind.name == "description" and "level" in attributes:  # as BML was before 1.0
+        attributes = {"priority": attributes.pop("level"), **attributes}
     known = ((part, kind.parts.get(local_name(part.name))) for part in element.children)
     parts = tuple(_in_core(part, inside) for part, inside in known if inside)
     return replace(element, name=kind.qualified, attributes=_sorted_out(attributes, kind), content=parts)

@@ -303,3 +303,16 @@ def _not_played(
     every -= Counter({"speech": 1, "constraint": every["constraint"], "lips": every["lips"]})
     for name, count in every.items():
         yield Notice("bml_not_played", f"<{name}> ({count} in all) is not played: {_UNPLAYED[name == 'speech']}")
+    for name in (behavior.id for behavior in behaviors):
+        yield from (Notice("bml_not_played", told) for told in _unplayed_parts(name, elements.get(name)))
+
+
+def _unplayed_parts(name: str, element: Element | None) -> Iterator[str]:
+    """What of a posture is not played: bodies stand, and take one pose at a time."""
+    parts = () if element is None or not element.name.startswith("posture") else tuple(element.children)
+    stances = (part.attributes.get("type") for part in parts if part.name == "stance")
+    yield from (f"the stance {told} of {name} is not played: bodies stand" for told in stances if told != "STANDING")
+    poses = [part for part in parts if part.name == "pose"]
+    for pose in poses[1:]:
+        told = f"the pose {pose.attributes.get('lexeme')} of {name} is not played"
+        yield f"{told}: a body takes one at a time, here {poses[0].attributes.get('lexeme')}"

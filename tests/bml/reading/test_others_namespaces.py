@@ -87,6 +87,15 @@ def test_gretas_first_namespace_is_read() -> None:
     assert read(to_xml(document).decode())[0] == document
 
 
+def test_the_level_of_a_description_is_its_priority() -> None:
+    """As BML had it before 1.0; anywhere, not in a speech alone."""
+    older = GRETA.replace('<description priority="1"', '<description level="2"')
+    (head,) = [part for part in read(older)[0].root.children if part.name == "head"]
+    (description,) = head.children
+    assert description.attributes["priority"] == 2
+    assert resolve(read(older)[0]).behaviors == resolve(read(GRETA)[0]).behaviors
+
+
 def test_a_look_without_a_target_is_at_the_listener() -> None:
     inside = '<gaze id="g" start="0" end="2" modality="TORSO" offsetDirection="DOWN" offsetAngle="30"/>'
     (gaze,) = resolve(read(f'<bml xmlns="http://www.mindmakers.org/projects/BML">{inside}</bml>')[0]).behaviors

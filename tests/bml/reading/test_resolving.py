@@ -120,6 +120,18 @@ def test_what_is_not_played_is_said() -> None:
     assert sorted(notice.code for notice in found.notices) == ["bml_not_played", "bml_untimed"]
 
 
+def test_stances_and_further_poses_that_are_not_played_are_said() -> None:
+    poses = '<pose part="ARMS" lexeme="ARMS_OPEN"/><pose part="LEGS" lexeme="LEGS_OPEN"/>'
+    found = resolved(f'<posture id="p" start="0" end="5"><stance type="SITTING"/>{poses}</posture>')
+    assert [each.lexeme for each in found.behaviors] == ["ARMS_OPEN"]
+    assert [each.message for each in found.notices] == [
+        "the stance SITTING of p is not played: bodies stand",
+        "the pose LEGS_OPEN of p is not played: a body takes one at a time, here ARMS_OPEN",
+    ]
+    stands = resolved('<posture id="p" start="0" end="5"><stance type="STANDING"/></posture>')
+    assert [each.code for each in stands.notices] == ["bml_not_played"], "nothing to show"
+
+
 @needs(BML_SUITE)
 def test_every_file_of_the_suite_that_is_read_is_resolved_in_order() -> None:
     for path in sorted(BML_SUITE.glob("*.xml")):
