@@ -172,3 +172,17 @@ def test_the_command_has_functions_compete_by_priority_alone(tmp_path: Path) -> 
         shared.append(_sharing(json.loads(trace.read_text(encoding="utf-8"))["functions"]))
     assert shared[0] == 0
     assert shared[1] > 0
+
+
+def test_by_priority_functions_of_any_classes_compete_for_their_words(understudy: Understudy) -> None:
+    """VCP §3.3, at the door: none that are kept share a word, and none has lost to a lesser one."""
+    text = "No, I have never seen anything like those lights before! Are you really sure, or should we all go back?"
+    found = {each.id: each for each in package.say(understudy, text, choice="priority").functions}
+    kept = [each for each in found.values() if each.kept]
+    words = [word for each in kept for word in range(each.first, each.last + 1)]
+    assert len(words) == len(set(words))
+    lost = [each for each in found.values() if each.lost_to]
+    assert {each.class_name for each in lost} - {each.class_name for each in kept}
+    assert all(found[each.lost_to or ""].priority >= each.priority for each in lost)
+    by_terms = [each for each in package.say(understudy, text).functions if each.kept]
+    assert len(by_terms) > len(kept)
