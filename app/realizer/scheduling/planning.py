@@ -36,7 +36,7 @@ from ..showing.directions import aims_m
 from ..showing.showing import as_shown, finger_first, showing, shown_decisions
 from .arm_timelines import ArmTimeline, arm_timeline, rest_changes, units_of
 from .pruning import KeptGestures, admit
-from .repetition import is_held_long, let_go_in_time, repeats_until_s, with_beats, with_repeats
+from .repetition import is_held_long, let_go_in_time, repeats_until_s, told_repeats, with_beats, with_repeats
 from .rests import posture_changes
 from .second_hand import HandHabits, led_by, of_arm
 from .selection import Clips, candidate_clips, in_time, place_clip, requests_of, shuffled
@@ -294,9 +294,8 @@ def _told(arm: ArmGesture) -> Iterator[Decision]:
     cut_s = gesture.clip.markers.relax - gesture.clip.markers.stroke - (markers.relax - markers.stroke)
     if cut_s > _NOTICEABLE_S:
         yield Decision(arm.behavior, "shortened", f"hold cut by {cut_s:.2f} s, to relax when it is asked to")
-    if gesture.repeats:
-        times = ", ".join(f"{repeat.end_s:.2f}" for repeat in gesture.repeats)
-        yield Decision(arm.behavior, "repeated", f"strokes again on the emphases at {times} s")
+    if repeated := tuple(told_repeats(arm)):
+        yield Decision(arm.behavior, "repeated", "; ".join(repeated))
     if arm.beats:
         times = ", ".join(f"{beat.end_s:.2f}" for beat in arm.beats)
         yield Decision(arm.behavior, "repeated", f"beats instead of a long hold, at {times} s")

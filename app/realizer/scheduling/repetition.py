@@ -82,6 +82,24 @@ def _asked(placed: PlacedGesture, after_strokes_s: Iterable[float], until_s: flo
             last_s = end_s
 
 
+def told_repeats(arm: ArmGesture) -> Iterator[str]:
+    """The strokes that an arm repeats, and those that are asked for and are not, in words."""
+    gesture = arm.placed
+    if gesture.repeats:
+        yield f"strokes again on the emphases at {_times(repeat.end_s for repeat in gesture.repeats)} s"
+    asked_s = [gesture.stroke_end_s + after_s for after_s in gesture.request.after_strokes_s or ()]
+    made_s = {round(repeat.end_s, 3) for repeat in gesture.repeats}
+    missing_s = [end_s for end_s in asked_s if round(end_s, 3) not in made_s]
+    if late_s := [end_s for end_s in missing_s if end_s > arm.markers.relax]:
+        yield f"not at {_times(late_s)} s, as asked: the arm has left by then"
+    if early_s := [end_s for end_s in missing_s if end_s <= arm.markers.relax]:
+        yield f"not at {_times(early_s)} s, as asked: that is too soon after the stroke before"
+
+
+def _times(times_s: Iterable[float]) -> str:
+    return ", ".join(f"{time_s:.2f}" for time_s in times_s)
+
+
 def repeats_until_s(placed: PlacedGesture, later: Iterable[PlacedGesture], setting: TransitionContext) -> float:
     """How long a gesture may be repeated: until the end of its phrase, unless its strokes are asked for, or until an
     arm leaves for its next gesture."""

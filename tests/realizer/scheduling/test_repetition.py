@@ -76,6 +76,18 @@ def test_strokes_that_are_asked_for_are_made_and_no_others(
     assert [repeat.amplitude for repeat in repeats] == pytest.approx([0.6, 0.4, 0.25, 0.1625][: len(ends_s)])
 
 
+def test_strokes_that_a_following_gesture_leaves_no_time_for_are_told() -> None:
+    """As those of a rheme, whose every emphasis is asked for."""
+    first = replace(gesture("g", 2.0, 2.5, lexeme="BEAT"), after_strokes_s=(0.2, 0.6, 1.2, 3.0))
+    second = gesture("h", 4.6, 5.2, lexeme="BEAT")
+    plan = plan_gestures(library(clip(category="BEAT")), Schedule((first, second), 9.0), seed=0)
+    (reason,) = [each.reason for each in plan.decisions if (each.behavior, each.action) == ("g", "repeated")]
+    again, left, soon = reason.split("; ")
+    assert again == "strokes again on the emphases at 2.80, 3.40 s"
+    assert left == "not at 5.20 s, as asked: the arm has left by then"
+    assert soon == "not at 2.40 s, as asked: that is too soon after the stroke before"
+
+
 @pytest.mark.parametrize(
     ("category", "repetition", "most"),
     [("GREETING", 0.0, 0), ("GREETING", 0.4, 1), ("GREETING", 1.0, 3), ("BEAT", 0.0, 2), ("BEAT", 1.0, 3)],
