@@ -28,7 +28,7 @@ from ...library.performing import perform_line
 from ...live.messages import LiveOptions
 from ...live.models import LiveModels
 from ...live.session import LiveSession
-from ...model import Line
+from ...model import SAMPLE_RATE_HZ, Line
 from ...models import Understudy
 from ...options import Options
 from ...resources import resource_folder
@@ -38,8 +38,11 @@ from .live_worker import stream
 from .messages import Fork, JobFailure, LoadedLibrary, Reload, Start, receive, send
 from .worker import work
 
-STEPS = 50
-"""The chunks of each half of the bundled line, .07 s each."""
+LISTENED_S = 3.0
+"""How much of the bundled line is streamed: a phrase, and whatever is loaded lazily is loaded."""
+
+STEPS = 20
+"""The chunks of each half of it, .075 s each."""
 
 IDLE_S = 1.0
 """A nursery that takes the place of one that died forks at once, for jobs and streams wait, and warms up when nothing
@@ -87,8 +90,8 @@ def _obey(control: socket.socket, models: LiveModels, turns: int, idle_s: float 
 
 
 def _warm(models: LiveModels) -> None:
-    """Performs and realizes the bundled line, and streams it live, so that workers inherit whatever is loaded lazily;
-    then freezes all objects, for garbage collection would write to every shared page."""
+    """Performs and realizes the bundled line, and streams its beginning live, so that workers inherit whatever is
+    loaded lazily; then freezes all objects, for garbage collection would write to every shared page."""
     import scipy.optimize  # noqa: F401  # for lines with a profile, which this one does without
 
     examples = resource_folder("examples")
@@ -103,7 +106,7 @@ def _warm(models: LiveModels) -> None:
 
 def _listen_to(models: LiveModels, sound: bytes, text: str) -> None:
     """The first half by the voice alone, the second with its words."""
-    samples = read_audio(sound, models.understudy.acoustic.settings)[0].samples
+    samples = read_audio(sound, models.understudy.acoustic.settings)[0].samples[: round(LISTENED_S * SAMPLE_RATE_HZ)]
     session = LiveSession(models, LiveOptions(frame_rate_hz=30))
     for half in np.array_split(samples, 2):
         for part in np.array_split(half, STEPS):
