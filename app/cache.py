@@ -1,10 +1,11 @@
 """Caches on disk what is slow to compute and depends on files alone (compiled rules, filters), across processes.
 
-Each value is one file under its name, in a folder of the user's own: `UNDERSTUDY_CACHE`, or the platform's cache
-folder. The file begins with a hash of the content of all source files, the code that computed the value and the
-versions used; if that differs, the value is computed again and the file replaced. So files may be deleted at any time,
-and there are never more files than names. A process writes to a temporary name and renames, so that readers see a
-complete file, old or new.
+Each value is a file in a folder of the user's own: `UNDERSTUDY_CACHE`, or the platform's cache folder. The file begins
+with a hash of the content of all source files, the code that computed the value and the versions used, and is called by
+the value's name and some of that hash; where there is none of that hash, the value is computed again. Of each name the
+last `GENERATIONS` that were used are kept: those of the bundled files and of an author's own do not take each other's
+place. So files may be deleted at any time, and there are never many. A process writes to a temporary name and renames,
+so that readers see a complete file, old or new.
 
 Files are pickles, and unpickling can run code. A file is read only if it and its folder belong to the user and nobody
 else can write to them, and it may name only our own classes and a few of Python's and numpy's. Where that is not
@@ -20,9 +21,11 @@ import os
 import pickle
 import stat
 import sys
+import time
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, fields, is_dataclass
+from functools import cache
 from hashlib import blake2b
 from pathlib import Path
 from types import MappingProxyType
@@ -36,6 +39,7 @@ VARIABLE = "UNDERSTUDY_CACHE"
 OFF = "off"
 _PACKAGE = Path(__file__).resolve().parent
 _CODE_SUFFIXES = (".py", ".lark")
+GENERATIONS = 3
 _KEY_BYTES = 32
 _OTHERS_MAY_WRITE = stat.S_IWGRP | stat.S_IWOTH
 _FOREIGN_CLASSES = frozenset(
@@ -93,19 +97,15 @@ class Cache:
         self._write(name, key, _pickled(made))
         return made
 
-    def _path(self, name: str) -> str:
-        """The file name; it differs for each place of installation, so that two versions do not replace each other's
-        files."""
-        return f"{name}-{blake2b(os.fsencode(_PACKAGE), digest_size=6).hexdigest()}.{sys.implementation.cache_tag}"
-
     def _read(self, name: str, key: bytes) -> bytes | None:
         """The cached pickle; None if there is none that is complete, has the same key, and can be written by the user
         alone."""
         try:
             with _own_folder(self.folder) as folder:
-                number = os.open(self._path(name), os.O_RDONLY | os.O_NOFOLLOW | os.O_CLOEXEC, dir_fd=folder)
+                number = os.open(_file_name(name, key), os.O_RDONLY | os.O_NOFOLLOW | os.O_CLOEXEC, dir_fd=folder)
                 with open(number, "rb") as file:
                     _require_own(os.fstat(number))
+                    _note_use(number)
                     head, payload = file.read(2 * _KEY_BYTES), file.read()
         except OSError as error:
             _log.debug("%s is not read from the cache: %s", name, error)
@@ -115,9 +115,37 @@ class Cache:
     def _write(self, name: str, key: bytes, payload: bytes) -> None:
         try:
             with _own_folder(self.folder, make=True) as folder:
-                _replace(folder, self._path(name), key + _digest(payload) + payload)
+                _replace(folder, _file_name(name, key), key + _digest(payload) + payload)
+                _discard_old(folder, _beginning(name))
         except OSError as error:
             _log.debug("%s is not kept in the cache: %s", name, error)
+
+
+def _file_name(name: str, key: bytes) -> str:
+    return f"{_beginning(name)}-{key.hex()[:12]}.{sys.implementation.cache_tag}"
+
+
+def _beginning(name: str) -> str:
+    """It differs for each place of installation, so that two versions do not discard each other's files."""
+    return f"{name}-{blake2b(os.fsencode(_PACKAGE), digest_size=6).hexdigest()}"
+
+
+def _note_use(file: int) -> None:
+    """Dates a file, more exactly than its file system would."""
+    now_ns = time.time_ns()
+    os.utime(file, ns=(now_ns, now_ns))
+
+
+def _discard_old(folder: int, beginning: str) -> None:
+    """Deletes the files with this beginning that were not used for longest."""
+    used_ns: dict[str, int] = {}
+    for name in os.listdir(folder):
+        if name.startswith(beginning):
+            with suppress(FileNotFoundError):  # another process deletes it, too
+                used_ns[name] = os.stat(name, dir_fd=folder, follow_symlinks=False).st_mtime_ns
+    for name in sorted(used_ns, key=used_ns.__getitem__)[:-GENERATIONS]:
+        with suppress(FileNotFoundError):
+            os.unlink(name, dir_fd=folder)
 
 
 def _usual_folder() -> Path:
@@ -153,6 +181,8 @@ def _replace(folder: int, name: str, content: bytes) -> None:
     try:
         with open(number, "wb") as file:
             file.write(content)
+            file.flush()
+            _note_use(number)
         os.replace(beside, name, src_dir_fd=folder, dst_dir_fd=folder)
     except OSError:
         os.unlink(beside, dir_fd=folder)
@@ -173,9 +203,10 @@ def _key(name: str, files: Iterable[Path], made_with: str) -> bytes:
     return key.digest()
 
 
-def _code() -> Iterator[str]:
+@cache
+def _code() -> tuple[str, ...]:
     """Every file of the package's code with its size and modification time, by which Python too decides what is out of
-    date."""
+    date, as this process first saw them."""
     folders = [str(_PACKAGE)]
     found = []
     while folders:
@@ -186,7 +217,7 @@ def _code() -> Iterator[str]:
                     found.append(f"{entry.path} {status.st_size} {status.st_mtime_ns}")
                 elif entry.name != "__pycache__" and entry.is_dir():
                     folders.append(entry.path)
-    return iter(sorted(found))
+    return tuple(sorted(found))
 
 
 def _digest(content: bytes) -> bytes:

@@ -12,7 +12,7 @@ from types import MappingProxyType
 
 import pytest
 
-from understudy.cache import Cache
+from understudy.cache import GENERATIONS, Cache
 from understudy.errors import AuthoringError
 from understudy.model import Interval
 
@@ -67,7 +67,21 @@ def test_it_is_made_again_when_what_it_follows_from_changes(cache: Cache, make: 
     kept = cache.kept("thing", files, make, made_with=made_with)
     assert make.times == 2
     assert kept[0] == make.file.read_text()
-    assert the_file(cache)  # one in place of the other
+
+
+def test_those_that_are_used_stay_and_others_go(cache: Cache, make: Maker) -> None:
+    def use(made_with: str) -> int:
+        cache.kept("thing", [make.file], make, made_with=made_with)
+        return make.times
+
+    assert cache.folder is not None
+    for number in range(GENERATIONS + 2):
+        use(f"library {number}")
+        use("library of the user's own")
+    assert len(list(cache.folder.iterdir())) == GENERATIONS
+    made = make.times
+    assert use("library of the user's own") == made
+    assert use("library 0") == made + 1
 
 
 @pytest.mark.parametrize("harm", [lambda content: content[:-1], lambda content: content[:-1] + b"?", lambda _: b""])
@@ -206,7 +220,8 @@ def test_processes_at_the_same_time_do_not_disturb_each_other(cache: Cache, make
 
     with ThreadPoolExecutor(8) as pool:
         assert set(pool.map(use, range(64))) == {"some"}
-    assert the_file(cache)  # no temporary file is left
+    assert cache.folder is not None
+    assert len(list(cache.folder.iterdir())) == 2  # no temporary file is left
 
 
 @pytest.mark.parametrize("told", ["off", "OFF"])
