@@ -167,7 +167,7 @@ def test_an_overlay_changes_the_schedule() -> None:
     assert reserved.amount < lively.amount
 
 
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", range(2))
 def test_everything_possible_at_once_still_makes_a_schedule(seed: int) -> None:
     names = sorted(CHARACTERS.behavior_names)
     candidates = [

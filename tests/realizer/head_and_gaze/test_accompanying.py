@@ -1,24 +1,23 @@
 """The eyes go where a gesture shows something, then the head, then the hand."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from tests.support.motion.movements import BODY, TIMES_S, behavior, faced, schedule, seen_by
 from understudy.model import Behavior, Channel, FloatArray, Hand, Interval, Schedule, Word
+from understudy.models import load_gestures
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.geometry.angles import to_pitch_yaw_roll
-from understudy.realizer.gestures.library import Library
 from understudy.realizer.head_and_gaze.accompanying import ALONG, AT_THE_HAND, Look, accompanying_looks, with_looks
 from understudy.realizer.head_and_gaze.gaze import apply_gaze
 from understudy.realizer.scheduling.gesture_controller import apply_gestures
 from understudy.realizer.scheduling.planning import plan_gestures
 from understudy.realizer.torso.idle import idle_motion
 
-LIBRARY = Library.load(Path(__file__).resolve().parents[3] / "lexicon" / "gestures")
+LIBRARY = load_gestures()
 
 
 def shown(lexeme: str, hand: Hand = Hand.RIGHT, **changes: object) -> Behavior:

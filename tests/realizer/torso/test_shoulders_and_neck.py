@@ -1,25 +1,23 @@
 """A shrug is seen in the shoulders."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 from tests.support.motion.movements import BODY, TIMES_S, behavior, schedule
 from understudy.model import Channel, FloatArray, Hand
+from understudy.models import load_gestures
 from understudy.realizer.body.limits import violations
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.movement_style import IdleLife
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.geometry.rotations import angle_between, rotate
 from understudy.realizer.gestures.gesture_plan import GesturePlan
-from understudy.realizer.gestures.library import Library
 from understudy.realizer.scheduling.gesture_controller import apply_gestures
 from understudy.realizer.scheduling.planning import plan_gestures
 from understudy.realizer.torso.idle import idle_motion
 from understudy.realizer.torso.shoulders_and_neck import LIFTS_DEG, with_neck_reaching, with_shrugs
 
-LIBRARY = Library.load(Path(__file__).resolve().parents[3] / "lexicon" / "gestures")
+LIBRARY = load_gestures()
 
 
 def planned(lexeme: str, hand: Hand) -> GesturePlan:
