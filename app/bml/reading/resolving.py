@@ -173,7 +173,13 @@ def _asked(document: Document) -> Iterator[_TimedElement]:
             if isinstance(time, float | Reference):
                 times[name] = time
         name = element.id or f"{element.name}.{number}"
-        yield _TimedElement(element, StatedPoints(name, kind.syncs, usual_s(element.name, len(kind.syncs)), times))
+        yield _TimedElement(element, StatedPoints(name, kind.syncs, _usual_s(element, len(kind.syncs)), times))
+
+
+def _usual_s(element: Element, points: int) -> tuple[float, ...]:
+    """The typical times between an element's points; a `wait` lasts as long as it may, for nothing ends it before."""
+    most_s = element.attributes.get("max-wait")
+    return (float(most_s),) if isinstance(most_s, float | int) else usual_s(element.name, points)
 
 
 def _kinds(dialect: DialectName) -> dict[str, ElementKind]:
@@ -297,7 +303,7 @@ def _not_played(
     document: Document, elements: Mapping[str, Element], behaviors: Sequence[Behavior], lost: Sequence[str]
 ) -> Iterator[Notice]:
     """A notice for each kind of element that is left out."""
-    every = Counter(element.name for element in behaviors_of(document))
+    every = Counter(each.name for each in behaviors_of(document) if "max-wait" not in each.attributes)
     told = (*(behavior.id for behavior in behaviors), *lost)
     every -= Counter(elements[name].name for name in told if name in elements)
     every -= Counter({"speech": 1, "constraint": every["constraint"], "lips": every["lips"]})

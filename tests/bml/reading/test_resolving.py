@@ -120,6 +120,14 @@ def test_what_is_not_played_is_said() -> None:
     assert sorted(notice.code for notice in found.notices) == ["bml_not_played", "bml_untimed"]
 
 
+def test_a_wait_lasts_as_long_as_it_may() -> None:
+    found = resolved('<wait id="w" start="1" max-wait="2"/><head id="n" lexeme="NOD" start="w:end"/>')
+    assert [each.sync.start for each in found.behaviors] == [3.0]
+    assert found.notices == ()
+    endless = resolved('<wait id="w" start="1"/><head id="n" lexeme="NOD" start="w:end"/>')
+    assert [each.code for each in endless.notices] == ["bml_not_played"]
+
+
 def test_stances_and_further_poses_that_are_not_played_are_said() -> None:
     poses = '<pose part="ARMS" lexeme="ARMS_OPEN"/><pose part="LEGS" lexeme="LEGS_OPEN"/>'
     found = resolved(f'<posture id="p" start="0" end="5"><stance type="SITTING"/>{poses}</posture>')
