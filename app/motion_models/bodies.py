@@ -174,6 +174,10 @@ def _from_matrices(matrices: FloatArray) -> FloatArray:
     return from_axes(matrices[..., 0], matrices[..., 1], matrices[..., 2])
 
 
+_LEAST_BODY = 1e-6
+"""A body is larger than that in any unit, upwards and across."""
+
+
 def body_of_points(
     points: FloatArray, joints: Sequence[str], times_s: FloatArray, width_to_height: float, name: str
 ) -> BodyTrack:
@@ -184,6 +188,8 @@ def body_of_points(
         raise InputError("pairs_wrong", f"{name}: `joints` lacks {', '.join(missing)}")
     places_m = points[..., :3] * np.array([1.0, -1.0 / width_to_height, -1.0])
     at = {point: _settled(places_m[:, list(joints).index(point)], times_s) for point in wanted}
+    if any(np.ptp([each[0] for each in at.values()], axis=0)[:2] < _LEAST_BODY):
+        raise InputError("pairs_wrong", f"{name}: all points of `body` are in one place, or on one line")
     trunk = _trunk(at)
     found = [
         rotations

@@ -14,7 +14,7 @@ the same.
 
 import io
 import zipfile
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -126,7 +126,7 @@ def _points(path: Path) -> tuple[FloatArray, FloatArray, BodyTrack]:
     seen = np.isfinite(body[..., :3]).all(axis=(1, 2))
     if seen.sum() < 2:
         raise InputError("pairs_wrong", f"{path}: no frame of `body` has all of its points")
-    wide = float(arrays["width_to_height"]) if "width_to_height" in arrays else WIDTH_TO_HEIGHT
+    wide = float(arrays["width_to_height"])
     times_s = arrays["body_time_s"][seen].astype(np.float64)
     return energy_db, f0_hz, body_of_points(body[seen], joints, times_s, wide, str(path))
 
@@ -134,13 +134,35 @@ def _points(path: Path) -> tuple[FloatArray, FloatArray, BodyTrack]:
 def _arrays(path: Path) -> Mapping[str, FloatArray]:
     try:
         with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as file:
-            arrays = dict(file)
+            arrays = {"width_to_height": np.array(WIDTH_TO_HEIGHT), **file}
     except (ValueError, EOFError, zipfile.BadZipFile):
         raise InputError("pairs_wrong", f"{path}: no arrays that NumPy can read (.npz without pickles)") from None
     missing = [name for name in _ARRAYS if name not in arrays]
     if missing:
         raise InputError("pairs_wrong", f"{path}: lacks {', '.join(missing)}; it needs {', '.join(_ARRAYS)}")
+    mistakes = list(_mistakes(arrays))
+    if mistakes:
+        raise InputError("pairs_wrong", f"{path}: {'; '.join(mistakes)}")
     return arrays
+
+
+def _mistakes(arrays: Mapping[str, FloatArray]) -> Iterator[str]:
+    """What is wrong with the numbers of arrays."""
+    numbers = {name: arrays[name] for name in ("f0_hz", "envelope", "body", "body_time_s", "width_to_height")}
+    for name, array in numbers.items():
+        if array.dtype.kind not in "fiu":
+            yield f"`{name}` has no numbers"
+            return
+    if any(arrays[name].ndim != 1 for name in ("f0_hz", "envelope", "body_time_s")):
+        yield "`f0_hz`, `envelope` and `body_time_s` are one number each for a frame"
+    elif not (np.isfinite(arrays["body_time_s"]).all() and (np.diff(arrays["body_time_s"]) > 0).all()):
+        yield "`body_time_s` are seconds, each later than the one before"
+    if not np.isfinite(arrays["envelope"]).all():
+        yield "`envelope` has numbers that are none"
+    if (arrays["f0_hz"] < 0).any():
+        yield "`f0_hz` is below 0; NaN is unvoiced"
+    if numbers["width_to_height"].size != 1 or not 0 < float(numbers["width_to_height"]) < np.inf:
+        yield "`width_to_height` is one number above 0; a picture of 16:9 has 1.78"
 
 
 def with_common_joints(pairs: Iterable[Pair]) -> list[Pair]:

@@ -2,11 +2,13 @@
 
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
-from tests.motion_models.pairs import write_bvh, write_points
+from tests.motion_models.pairs import POINTS, write_bvh, write_points
 from understudy.bvh import Bvh, read_bvh
 from understudy.cli.main import main
 from understudy.motion_models.model import MotionModel
@@ -131,6 +133,32 @@ def test_what_is_wrong_with_a_folder_is_told(tmp_path: Path, capsys: Captured, w
     assert main(["motion-model", "train", str(tmp_path), "-o", str(model), *kinds]) == 2
     assert told in capsys.readouterr().err
     assert not model.exists()
+
+
+@pytest.mark.parametrize(
+    ("name", "array", "told"),
+    [
+        ("envelope", np.full(1200, np.nan), "`envelope` has numbers that are none"),
+        ("f0_hz", np.full(1200, -100.0), "`f0_hz` is below 0; NaN is unvoiced"),
+        ("f0_hz", np.full(1200, "low"), "`f0_hz` has no numbers"),
+        ("f0_hz", np.ones((1200, 2)), "are one number each for a frame"),
+        ("body_time_s", np.arange(360)[::-1] / 30, "`body_time_s` are seconds, each later than the one before"),
+        ("body_time_s", np.full(360, np.nan), "`body_time_s` are seconds, each later than the one before"),
+        ("body", np.zeros((360, len(POINTS), 4)), "all points of `body` are in one place"),
+        ("width_to_height", np.array(0.0), "`width_to_height` is one number above 0"),
+    ],
+)
+def test_arrays_that_cannot_be_are_told(
+    tmp_path: Path, capsys: Captured, name: str, array: NDArray[Any], told: str
+) -> None:
+    write_points(tmp_path, "a_b_0", 0)
+    path = tmp_path / "a_b_0.npz"
+    with np.load(path) as arrays:
+        np.savez(path, **{**arrays, name: array})
+    assert main(["motion-model", "train", str(tmp_path), "-o", str(tmp_path / "m.npz"), "--kinds", "3"]) == 2
+    (line,) = [line for line in capsys.readouterr().err.splitlines() if line.startswith("understudy: ")]
+    assert "a_b_0.npz: " in line
+    assert told in line
 
 
 @pytest.mark.parametrize(
