@@ -11,8 +11,7 @@ from ..studio.pages import OpenedLine, page_router
 from ..studio.scenes import OpenedScene
 from ..version import __version__
 from . import authoring
-from .admission.admission import Admission
-from .admission.entrance import guard
+from .admission.admission import Admission, guard
 from .admission.headers import let_in_pages
 from .admission.rates import Rates
 from .bodies import Uploads
@@ -21,9 +20,9 @@ from .description.document import PATHS, describe
 from .live import router as live_router
 from .metrics import Metrics, MetricsMiddleware
 from .problems import answer_errors_as_problems
-from .reloading import reloading
 from .routes import router
 from .service import Service
+from .serving import reloading
 from .workers.pool import Pool
 from .workers.processes import Nursery
 from .workers.streams import Streams

@@ -14,7 +14,7 @@ from ..authoring.editable_files import LEXICON_FILES, RULE_FILES, EditableFiles
 from ..authoring.saved_files import SavedText, read_text, require_folder, saved_names, write_text
 from ..errors import ForbiddenError, InputError, UndecodableError
 from ..schemas.rules import RuleFileResponse, RuleFilesResponse
-from .admission.hosts import is_loopback
+from .admission.headers import is_loopback
 from .bodies import declared_bytes
 from .negotiation import GESTURE_TYPES, JSON, chosen
 from .service import Service, Shared, answered, worked

@@ -1,11 +1,12 @@
 """`WS /live`: relays messages between a client and the process of its stream (docs/live.md).
 
-Messages are not parsed here. A slow reader gets fewer frames, with a count of the skipped ones, and all other messages;
-a client that reads or sends nothing for too long is disconnected. A disconnect is noticed at once, and ends the
-process.
+Messages are not parsed here. What is sent waits in a queue: a slow reader gets only the newest frames, with a count of
+the skipped ones, and all other messages; when the queue is full the stream blocks. A client that reads or sends nothing
+for too long is disconnected. A disconnect is noticed at once, and ends the process.
 """
 
 import asyncio
+from collections import deque
 from collections.abc import Mapping
 from contextlib import suppress
 from types import MappingProxyType
@@ -14,15 +15,56 @@ from fastapi import APIRouter, WebSocket
 from starlette.websockets import WebSocketDisconnect, WebSocketState
 
 from ..errors import ServiceError, SlowClientError, TooLargeError, TooManyError, UnderstudyError
-from ..schemas.live import to_error
+from ..schemas.live import to_error, to_frames_skipped
 from ..settings import Settings
 from .admission.keys import PROTOCOL, caller_of, offers_protocol
-from .outgoing_queue import OutgoingQueue
+from .connections import GONE
 from .service import Service
-from .websockets import GONE
 from .workers.messages import LiveInput, LiveOutput, receive_soon, send_soon
 from .workers.processes import Worker
 from .workers.streams import stopping
+
+MOST_FRAMES, MOST_OTHERS = 32, 64
+"""Outputs that may wait, of frames and of everything else. An output has the frames of one chunk of sound."""
+
+
+class OutgoingQueue:
+    """A queue of outputs and their lines, for one producer and one consumer."""
+
+    def __init__(self) -> None:
+        self._waiting: deque[tuple[LiveOutput, str]] = deque()
+        self._skipped = 0
+        self._changed = asyncio.Condition()
+
+    async def put(self, output: LiveOutput, lines: str) -> None:
+        """Frames never wait: the oldest give way. Everything else waits for room."""
+        async with self._changed:
+            await self._changed.wait_for(lambda: output.are_frames or self._count(are_frames=False) < MOST_OTHERS)
+            self._waiting.append((output, lines))
+            if self._count(are_frames=True) > MOST_FRAMES:
+                self._skip()
+            self._changed.notify_all()
+
+    async def take(self) -> tuple[LiveOutput, str]:
+        """The next output, when there is one; after frames were skipped, first their number."""
+        async with self._changed:
+            await self._changed.wait_for(lambda: self._waiting)
+            if self._skipped:
+                count, self._skipped = self._skipped, 0
+                return LiveOutput(ended=False, are_frames=False), to_frames_skipped(count)
+            taken = self._waiting.popleft()
+            self._changed.notify_all()
+            return taken
+
+    def _count(self, *, are_frames: bool) -> int:
+        return sum(output.are_frames is are_frames for output, _ in self._waiting)
+
+    def _skip(self) -> None:
+        """Leaves out the oldest frames."""
+        oldest = next(place for place, (output, _) in enumerate(self._waiting) if output.are_frames)
+        self._skipped += len(self._waiting[oldest][1].splitlines())
+        del self._waiting[oldest]
+
 
 GOING_AWAY, ENDED, TRY_AGAIN, IDLE, ABNORMAL = 1001, 1000, 1013, 1008, 1006
 
@@ -137,7 +179,7 @@ async def _leave(socket: WebSocket) -> None:
 
 
 async def _refuse(socket: WebSocket, error: UnderstudyError) -> None:
-    """Sends the error and closes, if the client still reads; otherwise `websockets.py` aborts the connection."""
+    """Sends the error and closes, if the client still reads; otherwise `connections.py` aborts the connection."""
     with suppress(RuntimeError, WebSocketDisconnect, TimeoutError, ConnectionError):
         async with asyncio.timeout(1.0):
             if socket.application_state is WebSocketState.CONNECTED:

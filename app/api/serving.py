@@ -1,7 +1,11 @@
-"""Runs the application under uvicorn and shuts it down gracefully.
+"""Runs the application under uvicorn, shuts it down gracefully, and reloads rules, words, tables and characters when an
+author saves them (`serve --reload`).
 
 At the first SIGTERM or SIGINT the service refuses new work (503); running requests may finish within the grace period,
 and are answered 503 after it. A second signal ends it at once. No process stays behind.
+
+Requests that run while files are reloaded finish with the old ones. Files with mistakes are ignored: the old ones stay
+in use, and the log and `/readyz` say why until the files are right.
 """
 
 import asyncio
@@ -9,16 +13,20 @@ import gc
 import logging
 import signal
 import socket
-from collections.abc import Callable, Sequence
+from collections.abc import AsyncIterator, Callable, Iterator, Sequence
+from contextlib import asynccontextmanager
+from threading import Event
 from types import FrameType
 from typing import Any
 
 import uvicorn
 from fastapi import FastAPI
 
+from ..authoring.watching import files_in_use, saves
+from ..errors import UnderstudyError
 from ..settings import Settings
-from .connections import limited_protocol
-from .websockets import limited_websocket
+from .connections import limited_protocol, limited_websocket
+from .service import Service
 
 _LOGGER = logging.getLogger(__name__)
 _ANSWERS_LEAVE_WITHIN_S = 2
@@ -82,3 +90,34 @@ def serve(
     server = Server(config, app, settings.grace_s, when_started)
     server.run(list(sockets))
     return server.stopped_by or signal.SIGTERM
+
+
+@asynccontextmanager
+async def reloading(service: Service) -> AsyncIterator[None]:
+    """Reloads while the block runs; saves from its beginning on are noticed."""
+    stop = Event()
+    saved = await asyncio.to_thread(saves, files_in_use(), stop)
+    following = asyncio.create_task(_follow(service, saved))
+    try:
+        yield
+    finally:
+        stop.set()
+        await following
+
+
+async def reload(service: Service) -> None:
+    """Replaces the workers by new ones with the current files; if these have mistakes, keeps the old and logs why."""
+    try:
+        await asyncio.to_thread(service.pool.nursery.reload)
+    except UnderstudyError as error:
+        _LOGGER.error("nothing reloaded, what was loaded before stays:\n%s", error.message)
+        service.not_reloaded = error.message
+        return
+    await service.pool.replace_all()
+    service.not_reloaded = None
+    _LOGGER.info("rules, words, tables and characters reloaded")
+
+
+async def _follow(service: Service, saved: Iterator[None]) -> None:
+    while await asyncio.to_thread(next, saved, False) is None:
+        await reload(service)

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from http import HTTPStatus
 from typing import Any
 
-from ...schemas.problem import CODES
+from ..problems import CODES
 
 Json = dict[str, Any]
 

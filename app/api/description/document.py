@@ -15,7 +15,6 @@ from ...schemas.given_functions import GivenFunctionRequest
 from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
 from ...schemas.motion import AvatarPoseOptions, AvatarPoseResponse, ClipResponse
 from ...schemas.options import PerformOptions, RealizeOptions
-from ...schemas.problem import Problem
 from ...schemas.requests import FunctionsRequest
 from ...schemas.responses import FunctionsResponse, PerformResponse, StatusResponse
 from ...schemas.rules import (
@@ -28,9 +27,9 @@ from ...schemas.rules import (
     RuleFileResponse,
     RuleFilesResponse,
 )
+from ..problems import Problem
 from .answers import SHARED_HEADERS, Json, shared_errors
-from .authoring_operations import AUTHORING_OPERATIONS
-from .operations import LIVE, LIVE_MESSAGES, OPERATIONS, live_operation
+from .operations import AUTHORING_OPERATIONS, LIVE, LIVE_MESSAGES, OPERATIONS, live_operation
 
 _ASKED: tuple[type[BaseModel], ...] = (
     *(PerformOptions, RealizeOptions, FunctionsRequest, GivenFunctionRequest, DirectionRequest, EditsForm),

@@ -38,9 +38,8 @@ from ...schemas.rules import read_rule_part
 from ..bodies import BML_TYPES, form_limits, media_type_of
 from ..negotiation import JSON, MOTION_TYPES, XML, chosen
 from . import authoring
-from .form import FormPart, read_form
+from .form import FormPart, read_form, with_profile, with_reference
 from .messages import Answer, Job, Task
-from .speaker import with_profile, with_reference
 
 WARNINGS_HEADER = "Understudy-Warnings"
 

@@ -13,9 +13,9 @@ from fastapi.routing import APIRoute
 from tests.support.motion.hand_made_motion import BODY, waving
 from understudy.api import authoring
 from understudy.api.admission.admission import PROBES
-from understudy.api.description.authoring_operations import AUTHORING_OPERATIONS
 from understudy.api.description.document import describe
-from understudy.api.description.operations import LIVE_MESSAGES, OPERATIONS
+from understudy.api.description.operations import AUTHORING_OPERATIONS, LIVE_MESSAGES, OPERATIONS
+from understudy.api.problems import CODES, Problem
 from understudy.api.routes import router
 from understudy.model import Level, Mode
 from understudy.model.formats.bml_form import DialectName, TimeForm
@@ -25,7 +25,6 @@ from understudy.resources import resource_folder
 from understudy.schemas.live import StartMessage
 from understudy.schemas.motion import ClipResponse
 from understudy.schemas.options import PerformOptions, RealizeOptions, check_options, check_realize_options
-from understudy.schemas.problem import CODES, Problem
 
 Json = dict[str, Any]
 ERRORS_PAGE = (Path(__file__).parents[3] / "docs" / "errors.md").read_text(encoding="utf-8")

@@ -2,7 +2,7 @@
 
 import pytest
 
-from understudy.api.admission.hosts import is_allowed
+from understudy.api.admission.headers import is_allowed
 
 ALLOWED = ("lines.example", ".studio.example", "127.0.0.1", "[::1]")
 
