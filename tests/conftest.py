@@ -14,7 +14,7 @@ from tests.support.examples import USUALLY, examples
 from understudy.api.workers.processes import Nursery
 from understudy.models import Understudy
 from understudy.settings import Settings
-from understudy.syntax.pipelines import load_pipeline
+from understudy.syntax.parser import load_pipeline
 
 BEGUN_FIRST = (
     "_in_chromium",

@@ -10,8 +10,16 @@ import json
 from fastapi import APIRouter, Request, Response
 from starlette.exceptions import HTTPException
 
-from ..authoring.editable_files import LEXICON_FILES, RULE_FILES, EditableFiles
-from ..authoring.saved_files import SavedText, read_text, require_folder, saved_names, write_text
+from ..authoring.saved_files import (
+    LEXICON_FILES,
+    RULE_FILES,
+    EditableFiles,
+    SavedText,
+    read_text,
+    require_folder,
+    saved_names,
+    write_text,
+)
 from ..errors import ForbiddenError, InputError, UndecodableError
 from ..schemas.rules import RuleFileResponse, RuleFilesResponse
 from .admission.headers import is_loopback

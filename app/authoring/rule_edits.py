@@ -1,19 +1,27 @@
-"""Compiles edited rules, words and priorities beside those in use, which stay as they are, and finds the mistakes in
-edited files of any kind.
+"""Compiles edited rules, words and priorities beside those in use, which stay as they are; finds the mistakes in edited
+files of any kind; and compares the functions and offered behaviours of lines before and after an edit.
 
-Files are named as in `editable_files`; a name that does not exist yet is a new file. Edited texts are read in a
-temporary folder.
+Files are named as in `saved_files`; a name that does not exist yet is a new file. Edited texts are read in a temporary
+folder. Lines are compared without audio, because that is quick enough to try every edit: conditions on stress, pauses
+or agitation do not hold. What is compared is what the mapping rules offer, not what is scheduled.
 """
 
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
+from typing import TypeVar
 
 from ..errors import AuthoringError, InputError, Mistake, collected
+from ..model import Function, Utterance, Word
 from ..models import Understudy
-from .editable_files import LEXICON_FILES, RULE_FILES
+from ..resources import resource_folder
+from ..rules.derivation import understand
+from ..rules.lexicon import SLOT, Lexicon
+from ..rules.mapping import offer_movements
+from ..text.transcript import read_transcript
 from .file_checking import CompiledRules, compile_rules, mistakes_in_files, temporary_folder
+from .saved_files import LEXICON_FILES, RULE_FILES
 
 Edits = Mapping[str, str]
 """The whole text of each edited file, by its name."""
@@ -99,3 +107,102 @@ def _renamed(mistake: Mistake, folder: Path) -> Mistake:
 def _named(path: Path) -> str:
     """The name of a file that rules were compiled from, even in a temporary folder that no longer exists."""
     return next((name for name in RULE_FILES.files() if str(path).endswith(f"/{name}")), str(path))
+
+
+@dataclass(frozen=True, slots=True)
+class ComparedOffer:
+    """A behaviour that a rule offers for a function, and the weight it has there."""
+
+    name: str
+    rule: str
+    class_name: str
+    first: int
+    last: int
+    weight: float
+
+
+Said = TypeVar("Said", Function, ComparedOffer)
+
+
+@dataclass(frozen=True, slots=True)
+class LineChange:
+    """A line for which something changed: the functions and offers that are gone, and the new ones."""
+
+    id: str
+    words: tuple[Word, ...]
+    functions_before: tuple[Function, ...]
+    functions_after: tuple[Function, ...]
+    offers_before: tuple[ComparedOffer, ...]
+    offers_after: tuple[ComparedOffer, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class _LineReading:
+    """The functions and offers for a line; the ids of functions, which depend on their count, are left out."""
+
+    functions: tuple[Function, ...]
+    offers: tuple[ComparedOffer, ...]
+
+
+def example_lines(lexicon: Lexicon) -> Mapping[str, str]:
+    """The example of every group of words, with the first of its words, and the bundled line, by file and example."""
+    found: dict[str, str] = {}
+    for entry in lexicon.entries:
+        if entry.example:
+            found.setdefault(f"{entry.path.name}: {entry.example}", entry.example.replace(SLOT, entry.phrase))
+    bundled = (resource_folder("examples") / "example.txt").read_text(encoding="utf-8")
+    return {"example.txt": bundled, **found}
+
+
+def compare(understudy: Understudy, edits: Edits, lines: Mapping[str, str]) -> tuple[LineChange, ...]:
+    """The lines (texts by id) that these edits change. Raises InputError `rules_wrong`, `unknown_file`, and for a text
+    that cannot be used."""
+    edited = with_edits(understudy, edits)
+    most = understudy.language.settings.max_text_characters
+    spoken = [read_transcript(text, max_characters=most) for text in lines.values()]
+    parsed = understudy.language.parser.parse_all(spoken)
+    utterances = [Utterance(words=words, parse=parse) for words, parse in zip(spoken, parsed, strict=True)]
+    try:
+        return tuple(
+            change
+            for line_id, utterance in zip(lines, utterances, strict=True)
+            for change in _change(line_id, utterance, _read(understudy, utterance), _read(edited, utterance))
+        )
+    except AuthoringError as error:  # a rule that goes wrong where it runs
+        raise rules_wrong(error) from None
+
+
+def _change(line_id: str, utterance: Utterance, before: _LineReading, after: _LineReading) -> Iterator[LineChange]:
+    if before != after:
+        yield LineChange(
+            line_id,
+            utterance.words,
+            functions_before=_without(before.functions, after.functions),
+            functions_after=_without(after.functions, before.functions),
+            offers_before=_without(before.offers, after.offers),
+            offers_after=_without(after.offers, before.offers),
+        )
+
+
+def _read(understudy: Understudy, utterance: Utterance) -> _LineReading:
+    known = understand(understudy.language.rules, utterance)
+    offered = offer_movements(understudy.behavior.rules, utterance, known.functions, seed=0, facts=known.facts)
+    offers = (
+        ComparedOffer(
+            movement.name, movement.rule, each.function.class_name, movement.first, movement.last, choice.weight
+        )
+        for each in offered
+        for choice in each.alternatives
+        for movement in choice.movements
+        if each.function is not None
+    )
+    return _LineReading(tuple(map(_anonymous, known.functions)), tuple(offers))
+
+
+def _anonymous(function: Function) -> Function:
+    """The function without id and reasons, so that two are equal if they say the same of the same words."""
+    return replace(function, id="", lost_to=None, because=())
+
+
+def _without(these: Sequence[Said], those: Sequence[Said]) -> tuple[Said, ...]:
+    return tuple(one for one in these if one not in those)

@@ -20,16 +20,17 @@ from ..authored_folders import VARIABLE as LEXICON
 from ..authored_folders import layers_of
 from ..errors import UnderstudyError
 from .arguments.parser import make_parser
-from .distinct_files import require_distinct
+from .files import require_distinct
 from .log import Log
 
 WRONG_INPUT = 2
 INTERRUPTED = 130
 
 SHARED = {
-    **{name: ("hearing", name) for name in ("agitation", "align", "pitch", "reference")},
+    **{name: ("hearing", name) for name in ("agitation", "align", "analyze", "pitch", "reference")},
     **{name: ("serving", name) for name in ("serve", "studio")},
     "say": ("perform", "run"),
+    "script": ("perform", "script"),
 }
 """The module and function of each command that shares a module with others."""
 

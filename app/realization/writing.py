@@ -8,8 +8,7 @@ from functools import partial
 from types import MappingProxyType
 
 from ..authored_folders import lexicon_folder
-from ..editorial.annotations import to_elan, to_event_table, to_textgrid
-from ..editorial.events import timeline_events, tracks_of
+from ..editorial.events import timeline_events, to_elan, to_event_table, to_textgrid, tracks_of
 from ..editorial.timeline import to_otio
 from ..model import FloatArray
 from ..model.formats.motion_formats import EDITORIAL, SCENES, AudioFile, FileOptions, Keys, MotionFormat

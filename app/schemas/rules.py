@@ -7,7 +7,7 @@ from typing import Annotated, Self
 from pydantic import BaseModel, ConfigDict, Field
 
 from ..authoring.catalogue import Catalogue, Item, ItemKind
-from ..authoring.rule_comparison import LineChange
+from ..authoring.rule_edits import LineChange
 from ..authoring.saved_files import SavedText
 from ..errors import Mistake
 from .gestures.definitions import PlacedMistakeResponse

@@ -11,7 +11,7 @@ import pytest
 from understudy.authoring.inspection import find_unused, trace, trace_one
 from understudy.cli.inputs.function_lines import read_corpus
 from understudy.cli.main import main
-from understudy.cli.outputs.traces import MOST_NEAR_MISSES, trace_lines
+from understudy.cli.outputs.listings import MOST_NEAR_MISSES, trace_lines
 from understudy.errors import InputError
 from understudy.models import Understudy
 from understudy.rules.mapping import offer_movements

@@ -6,8 +6,7 @@ import pytest
 
 from tests.authoring.test_rule_edits import WORDS, text_of
 from understudy.authored_folders import laid_over
-from understudy.authoring.editable_files import LEXICON_FILES, RULE_FILES
-from understudy.authoring.saved_files import read_text, saved_names, write_text
+from understudy.authoring.saved_files import LEXICON_FILES, RULE_FILES, read_text, saved_names, write_text
 from understudy.errors import ChangedError, ForbiddenError, InputError
 
 

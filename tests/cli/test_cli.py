@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
+from understudy.cli.commands.perform import summary
 from understudy.cli.files import write
 from understudy.cli.log import Audience, Log
 from understudy.cli.main import main
-from understudy.cli.outputs.summary import summary
 from understudy.errors import InputError
 from understudy.model import (
     Agitation,

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from understudy.edits.finding import find_behaviors
+from understudy.edits.applying import find_behaviors
 from understudy.edits.words import find_word
 from understudy.model import Line, Word
 from understudy.models import Understudy

@@ -2,9 +2,8 @@
 
 import argparse
 
-from ..distinct_files import InputFile
-from .command import Adding
-from .options import add_agitation_model, add_form, add_manner, add_rate
+from ..files import InputFile
+from .options import Adding, add_agitation_model, add_form, add_manner, add_rate
 
 SCRIPTS_HELP = ".csv, .tsv, .xlsx, .fountain, .fdx, .srt, .vtt, .jsonl, or Ren'Py's dialogue.tab"
 FORMATS_HELP = (

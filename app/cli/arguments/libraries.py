@@ -3,10 +3,8 @@
 
 from ...model import Hand, Level
 from ...option_table import PERFORMANCE
-from ..distinct_files import InputFile, OutputName
-from ..files import STANDARD
-from .command import Adding, actions_of
-from .options import add_options, add_output
+from ..files import STANDARD, InputFile, OutputName
+from .options import Adding, actions_of, add_options, add_output
 
 PAIRS_HELP = "recordings with motion: NAME.bvh with NAME.wav, or NAME.npz; NAME.affect.csv beside them is their affect"
 

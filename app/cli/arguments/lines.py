@@ -3,12 +3,11 @@
 import argparse
 
 from ...option_table import MOTION, PERFORMANCE
-from ..distinct_files import InputFile, OutputName
-from ..files import STANDARD
-from .command import Adding
+from ..files import STANDARD, InputFile, OutputName
 from .options import (
     AUDIO_HELP,
     MOTION_HELP,
+    Adding,
     add_agitation_model,
     add_form,
     add_functions,

@@ -12,12 +12,11 @@ from ...errors import InputError
 from ...option_table import PERFORMANCE
 from ...study.comparison import Comparison
 from ...version import __version__
-from ..distinct_files import InputFile, OutputName
+from ..files import InputFile, OutputName
 from .batch import SCRIPTS_HELP, add_batch
-from .command import Adding, actions_of, commands_of, voices
 from .libraries import add_characters, add_gestures, add_motion_models, add_profiles, add_rules
 from .lines import add_analyses, add_live, add_perform, add_realize, add_say, add_script
-from .options import add_agitation_model, add_options
+from .options import Adding, actions_of, add_agitation_model, add_options, commands_of, voices
 
 _TRAIN = "agitation train"
 

@@ -1,5 +1,6 @@
-"""What a recording says by itself: `understudy agitation`, `align`, `pitch` and `reference`. None loads more than the
-acoustic models."""
+"""What is heard in a recording: `understudy agitation`, `align`, `pitch` and `reference`, none of which loads more than
+the acoustic models; and `understudy analyze`, the analysis of a line as JSON, and on request as a picture.
+"""
 
 import argparse
 from pathlib import PurePath
@@ -14,8 +15,9 @@ from ...schemas.responses import AgitationResponse
 from ...settings import read_settings
 from ..files import read_bytes, require_writable, write, write_standard
 from ..inputs.hearing import hear_file, require_files, require_reference, shown, speaker_reference
-from ..inputs.lines import read_line
+from ..inputs.lines import level_of, optional_affect, read_line
 from ..log import Log
+from ..outputs.plot import plot, require_plot
 
 PITCH_HEADER = "time_s,f0_hz,energy_db"
 
@@ -78,4 +80,30 @@ def reference(arguments: argparse.Namespace, log: Log) -> int:
     acoustic = AcousticModels.load(settings)
     found = make_reference(acoustic, [hear_file(acoustic, path, log) for path in arguments.audio])
     write(arguments.output, to_json(found))
+    return 0
+
+
+def analyze(arguments: argparse.Namespace, log: Log) -> int:
+    settings = read_settings()
+    line = read_line(arguments, settings)
+    if arguments.plot:
+        require_plot(arguments.plot)
+        require_writable(arguments.plot, field="plot")
+    level = level_of(arguments)
+    affect = optional_affect(arguments.affect)
+    require_reference(arguments.reference, settings)
+    check_line(line, settings)
+    from ...library.performing import analyze_line
+    from ...library.writing import write_json
+    from ...models import Understudy
+    from ...options import Options  # imported late: arguments are checked before the models load
+
+    with Understudy.load(settings) as understudy:
+        reference = speaker_reference(understudy.acoustic, arguments.reference, log)
+        options = Options(agitation=level, affect=affect, reference=reference)
+        analysis = analyze_line(understudy, line, options, log.stage)
+    if arguments.plot and analysis.heard is not None:
+        write(arguments.plot, plot(analysis, analysis.heard))
+    write_standard(write_json(analysis, indent=2) + b"\n")
+    log.warnings(analysis.notices)
     return 0

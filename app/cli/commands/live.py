@@ -3,21 +3,24 @@
 
 The lines are the messages of `WS /live`: `ready`, then behaviours, mouth shapes and, on request, frames; finally
 `done`. With `--vmc` or `--live-link-face` the frames go to programs that show avatars; a recording is then played in
-real time.
+real time. The microphone needs the extra `microphone`, which includes PortAudio on Windows and macOS.
 """
 
 import argparse
 import sys
 import time
 from collections.abc import Iterator
-from contextlib import ExitStack
+from contextlib import ExitStack, closing
 from dataclasses import dataclass, replace
-from typing import BinaryIO, TextIO
+from typing import Any, BinaryIO, TextIO
+
+import numpy as np
 
 from ...errors import InputError
 from ...library.hearing import audio_limits, read_audio
 from ...library.motion_models import Search, read_motion_model
-from ...live.avatars.sending import FrameSender
+from ...live.avatars import live_link_face, vmc
+from ...live.avatars.sending import FrameSender, FrameWriter
 from ...live.body import BodyFrame
 from ...live.messages import LiveMessage, LiveOptions
 from ...live.models import LiveModels
@@ -27,9 +30,66 @@ from ...models import Understudy
 from ...schemas.live import read_samples, to_done, to_json, to_ready
 from ...settings import Settings, read_settings
 from ..files import STANDARD, read_bytes
-from ..inputs.microphone import microphone_chunks
 from ..log import Log
-from ..outputs.avatars import AVATAR_FRAME_RATE_HZ, avatar_addresses, avatar_senders
+
+FULL_SCALE = 32768
+_INSTEAD = "or send the sound to standard input: arecord -t raw -f S16_LE -r 16000 | understudy live - --rate 16000"
+
+
+def microphone_chunks(rate_hz: int, chunk_s: float) -> Iterator[FloatArray]:
+    """Mono samples in [-1, 1], `chunk_s` at a time, without end. Raises InputError `microphone_missing` at once."""
+    try:
+        import sounddevice  # an extra, which most do without
+    except (ImportError, OSError) as error:
+        told = f"no microphone can be heard: {error}; pip install '.[microphone]' with PortAudio, {_INSTEAD}"
+        raise InputError("microphone_missing", told, field="microphone") from None
+    try:
+        stream = sounddevice.RawInputStream(rate_hz, round(chunk_s * rate_hz), channels=1, dtype="int16")
+    except sounddevice.PortAudioError as error:
+        message = f"no microphone can be heard: {error}; {_INSTEAD}"
+        raise InputError("microphone_missing", message, field="microphone") from None
+    return _chunks(stream)
+
+
+def _chunks(stream: Any) -> Iterator[FloatArray]:  # noqa: ANN401 - sounddevice has no types
+    with stream:
+        while True:
+            content, _overflowed = stream.read(stream.blocksize)
+            yield np.frombuffer(content, dtype="<i2") / FULL_SCALE
+
+
+AVATAR_FRAME_RATE_HZ = 60
+Address = tuple[str, int]
+
+
+def avatar_addresses(arguments: argparse.Namespace) -> tuple[Address | None, Address | None]:
+    """The addresses for VMC and for Live Link Face, if given. Raises InputError `value_wrong`."""
+    asked = (("vmc", arguments.vmc, vmc.PORT), ("live-link-face", arguments.live_link_face, live_link_face.PORT))
+    body, face = (_address(text, port, f"--{name}") if text else None for name, text, port in asked)
+    return body, face
+
+
+def avatar_senders(
+    arguments: argparse.Namespace, understudy: Understudy, frame_rate_hz: int, stack: ExitStack
+) -> tuple[FrameSender, ...]:
+    """The senders of frames, closed with the stack. Raises InputError `value_wrong`, `address_unusable`."""
+    body, face = avatar_addresses(arguments)
+    parts = vmc.VmcParts(head=not arguments.vmc_without_head, face=vmc.VmcFace(arguments.vmc_face))
+    skeleton = understudy.realizer.performer(arguments.character).skeleton
+    writers: list[tuple[Address | None, FrameWriter]] = [
+        (body, vmc.VmcWriter(skeleton, parts)),
+        (face, live_link_face.LiveLinkFaceWriter(frame_rate_hz)),
+    ]
+    return tuple(stack.enter_context(closing(FrameSender(to, writer))) for to, writer in writers if to)
+
+
+def _address(text: str, port: int, option: str) -> Address:
+    host, _, given = text.rpartition(":") if ":" in text else (text, "", str(port))
+    if not host or not given.isdecimal() or not 0 < int(given) < 65536:
+        message = f"{option} {text}; give HOST:PORT, as 127.0.0.1:{port}"
+        raise InputError("value_wrong", message, field=option.removeprefix("--"))
+    return host.strip("[]"), int(given)
+
 
 CHUNK_S = 0.04
 

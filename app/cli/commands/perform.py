@@ -1,9 +1,12 @@
-"""`understudy perform` and `say`: one line in, BML out, with a summary of what the character does and why."""
+"""`understudy perform` and `say`: one line in, BML out, with a summary for people of what the character does and why;
+and `understudy script`: the gesture script of a line by a speaker's profile.
+"""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import PurePath
 from typing import TYPE_CHECKING
@@ -11,20 +14,80 @@ from typing import TYPE_CHECKING
 from ...errors import InputError
 from ...library.checks import check_character, check_line
 from ...library.writing import speech_file_name, write_bml_files, write_bml_json, write_json
-from ...model import AffectTrack, Analysis, Line, Performance
+from ...model import PLAIN, AffectTrack, Analysis, Behavior, Function, Line, Performance
 from ...model.formats.bml_form import BmlForm
 from ...model.formats.motion_formats import is_editorial
 from ...options import Options
+from ...schemas.gestures.script import script_json
 from ...schemas.options import listener_names
 from ...settings import Settings, read_settings
-from ..distinct_files import OutputName, require_distinct
-from ..files import STANDARD, require_writable, write
+from ..files import STANDARD, OutputName, require_distinct, require_writable, write
 from ..inputs.hearing import require_reference, speaker_reference
-from ..inputs.lines import edits_of, read_line
-from ..inputs.options import bml_form, performance_options
+from ..inputs.lines import bml_form, edits_of, performance_options, read_line
 from ..log import Log
 from ..outputs.motions import MotionOptions, recording, require_motions, write_motions
-from ..outputs.summary import summary
+
+WORDS_WIDTH = 28
+
+
+def summary(performance: Performance) -> str:
+    """The line's behaviours in order of time, each with its words, the function it shows and the rule that chose it,
+    or what spoke most for it."""
+    return "\n".join(_lines(performance))
+
+
+def _lines(performance: Performance) -> Iterator[str]:
+    utterance = performance.utterance
+    kept = sorted((behavior for behavior in performance.behaviors if behavior.kept), key=lambda one: one.sync.start)
+    functions = {function.id: function for function in performance.functions}
+    level = utterance.agitation.level if utterance.agitation else "unknown"
+    duration_s = utterance.duration_s or 0.0
+    begins = f", the recording begins at {utterance.lead_in_s:.2f} s" if utterance.lead_in_s else ""
+    yield f"{performance.character} performs {duration_s:.2f} s{begins}, agitation {level}, seed {performance.seed}"
+    for behavior in kept:
+        if not _is_idle(behavior):
+            yield _movement_shown(performance, behavior, functions.get(behavior.function or ""))
+    own = Counter(behavior.lexeme.lower() for behavior in kept if _is_idle(behavior))
+    if own:
+        yield "idle: " + ", ".join(f"{count} × {lexeme}" for lexeme, count in own.items())
+    dropped = len(performance.behaviors) - len(kept)
+    if dropped:
+        yield f"not shown: {dropped} (--trace says why)"
+
+
+def _movement_shown(performance: Performance, behavior: Behavior, function: Function | None) -> str:
+    words = " ".join(word.text for word in performance.utterance.words[behavior.first : behavior.last + 1])
+    shown = words if len(words) <= WORDS_WIDTH else words[: WORDS_WIDTH - 1] + "…"
+    movement = behavior.lexeme.lower() + (f" ({behavior.hand})" if behavior.hand else "")
+    return (
+        f"{behavior.sync.start:6.2f}–{behavior.sync.end:5.2f} s  {behavior.kind:7s} {movement:24s} "
+        f"{shown:{WORDS_WIDTH}s}  {_why(behavior, function)}"
+    )
+
+
+def _why(behavior: Behavior, function: Function | None) -> str:
+    authored = "" if behavior.edit is None else f"the author's edit {behavior.edit}"
+    if function is None:
+        return authored or _decided(behavior)
+    chosen = f"{_name(function)} by {function.rule} → {behavior.rule or behavior.reason}"
+    return f"{chosen}; {authored}" if authored else chosen
+
+
+def _is_idle(behavior: Behavior) -> bool:
+    """Whether the body does it by itself: for no function, no moment of the plan and no edit."""
+    return behavior.function is None and behavior.moment is None and behavior.edit is None
+
+
+def _decided(behavior: Behavior) -> str:
+    """The part that spoke most for it, and its rule."""
+    part = max(behavior.decided_by, key=lambda each: each.weight, default=None)
+    chosen = behavior.rule or behavior.reason or ""
+    return f"{part.name} ({part.weight:+.1f}) → {chosen}" if part else chosen
+
+
+def _name(function: Function) -> str:
+    return function.class_name if function.subtype == PLAIN else f"{function.class_name} ({function.subtype})"
+
 
 if TYPE_CHECKING:
     from ...library.motion_models import Moving
@@ -129,3 +192,21 @@ def _check_targets(arguments: argparse.Namespace, settings: Settings) -> None:
     require_motions(arguments.realize, settings, field="realize")
     if arguments.trace:
         require_writable(arguments.trace, field="trace")
+
+
+def script(arguments: argparse.Namespace, log: Log) -> int:
+    settings = read_settings()
+    require_writable(arguments.output, field="output")
+    line = read_line(arguments, settings)
+    options = performance_options(arguments)
+    check_character(options.character)
+    check_line(line, settings)
+    from ...library.performing import perform_line
+    from ...models import Understudy  # imported late: arguments are checked before the models load
+
+    with Understudy.load(settings) as understudy:
+        performed = perform_line(understudy, line, options, log.stage)
+    performance = performed.performance
+    write(arguments.output, script_json(performed.written_script(), performance.utterance, performance.character))
+    log.warnings(performance.notices)
+    return 0

@@ -23,7 +23,7 @@ from ...profiles.proposing.phases import ProposedUnit, proposed_units
 from ...profiles.proposing.proposing import proposed_tracks
 from ...settings import read_settings
 from ..files import STANDARD, read_bytes, require_writable, write, write_standard
-from ..inputs.options import named_profile
+from ..inputs.lines import named_profile
 from ..log import Log
 from ..outputs.listings import profile_lines
 

@@ -81,7 +81,7 @@ def _trace(arguments: argparse.Namespace, _log: Log) -> None:
     from ...authoring.inspection import trace, trace_one
     from ...models import Understudy
     from ...settings import read_settings
-    from ..outputs.traces import trace_lines
+    from ..outputs.listings import trace_lines
 
     settings = read_settings()
     if arguments.audio is not None and arguments.rule is None:
@@ -112,7 +112,7 @@ def _unused(arguments: argparse.Namespace, _log: Log) -> None:
     from ...models import BehaviorModels, LanguageModels
     from ...settings import read_settings
     from ..inputs.function_lines import read_corpus
-    from ..outputs.traces import unused_lines
+    from ..outputs.listings import unused_lines
 
     settings = read_settings()
     texts = read_corpus(arguments.corpus, max_characters=settings.max_text_characters)

@@ -18,7 +18,7 @@ from ...settings import read_settings
 from ...study.comparison import CONDITIONS, KEY_NAME, PAIRED, Comparison
 from ...study.request import PAGE_FOLDER, StudyRequest, StudySource
 from ..files import require_writable, write, write_standard
-from ..inputs.options import optional_profile
+from ..inputs.lines import optional_profile
 from ..log import Log
 
 if TYPE_CHECKING:

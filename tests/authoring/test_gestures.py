@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.support.motion.gesture_files import gesture
-from understudy.authoring.gesture_texts import (
+from understudy.authoring.gestures import (
     BEFORE_S,
     BEHAVIOR,
     MOST_MISTAKES,
