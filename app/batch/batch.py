@@ -15,21 +15,18 @@ from typing import Protocol
 from ..model.voice.signal import SpeakerReference
 from ..on_demand import OnDemand
 from ..settings import Settings
-from .casting.voices import keep_learnt, read_learnt
-from .manifest.entries import ManifestEntry, State, WrittenFile
 from .manifest.hashes import KnownRecording, input_hash, installation_hash, settings_hash
-from .manifest.store import FILE, Manifest
+from .manifest.store import FILE, Manifest, ManifestEntry, State, WrittenFile
 from .planning import BatchPlan, entry_of, hopeless_entries, plan_batch, with_voices
 from .reports.html_report import Heading, Thumbnail
 from .reports.writing import remove_reports, reports_are_there, write_reports
 from .request import BatchRequest
-from .running.engine import Engine
-from .running.supervising import Done, supervise
+from .running.engine import Done, Engine, supervise
 from .thumbnails import read_thumbnails, remove_other_thumbnails, thumbnail_jobs, thumbnail_paths
+from .voices import keep_learnt, read_learnt
 from .work.files import clear_unfinished, unwritable, write_files
 from .work.formats import extension_of
-from .work.jobs import Failure, LineJob, LineOutcome
-from .work.speaking import ReferenceJob
+from .work.jobs import Failure, LineJob, LineOutcome, ReferenceJob
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,20 +16,16 @@ from ..model.voice.signal import SpeakerReference
 from ..models import load_characters
 from ..options import Options
 from ..schemas.edits import read_edits
-from .casting.cast_file import NOBODY_CAST, read_cast
-from .casting.casting import Casting
-from .casting.voices import reference_jobs, speaker_of
-from .compressed import advice, converter, is_compressed
+from .audio import AudioSource, advice, converter, is_compressed
+from .casting import NOBODY_CAST, Casting, read_cast
 from .layout import file_name, require_apart
-from .manifest.entries import ManifestEntry, State
-from .matching.joining import JoinedLines, Missing, join_one_recording, join_recordings
-from .matching.recordings import find_recordings
+from .manifest.store import ManifestEntry, State
+from .matching import JoinedLines, Missing, find_recordings, join_one_recording, join_recordings
 from .model import RowProblem, Script, Take, place_told
 from .request import BatchRequest
 from .scripts.reading import read_script
-from .work.audio import AudioSource
-from .work.jobs import Failure, LineJob
-from .work.speaking import ReferenceJob
+from .voices import reference_jobs, speaker_of
+from .work.jobs import Failure, LineJob, ReferenceJob
 
 
 @dataclass(frozen=True, slots=True)

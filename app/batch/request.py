@@ -6,8 +6,7 @@ from pathlib import Path
 
 from ..options import Options
 from .layout import Layout
-from .matching.joining import TakeChoice
-from .matching.recordings import RecordingPattern
+from .matching import RecordingPattern, TakeChoice
 from .work.formats import LineFormat, OutputFormat
 from .work.jobs import MotionForm
 

@@ -20,8 +20,7 @@ from understudy.batch.batch import Nobody, run_batch
 from understudy.batch.request import BatchRequest
 from understudy.batch.work.files import write_files
 from understudy.batch.work.formats import LineFormat
-from understudy.batch.work.jobs import LineJob, LineOutcome, Measures, OutputFile
-from understudy.batch.work.speaking import ReferenceJob
+from understudy.batch.work.jobs import LineJob, LineOutcome, Measures, OutputFile, ReferenceJob
 from understudy.model import Notice
 from understudy.model.voice.signal import SpeakerReference
 from understudy.settings import read_settings

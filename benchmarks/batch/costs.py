@@ -10,11 +10,11 @@ from dataclasses import replace
 from pathlib import Path
 from time import process_time
 
-from understudy.batch.work.audio import AudioSource
+from understudy.batch.audio import AudioSource
 from understudy.batch.work.formats import FORMATS, OutputFormat, extension_of
-from understudy.batch.work.jobs import LineJob, OutputTarget
+from understudy.batch.work.jobs import LineJob, OutputTarget, ReferenceJob
 from understudy.batch.work.performing import perform_job
-from understudy.batch.work.speaking import ReferenceJob, learn_reference
+from understudy.batch.work.worker import learn_reference
 from understudy.model.formats.motion_formats import MotionFormat
 from understudy.models import Understudy
 from understudy.options import Options

@@ -2,9 +2,9 @@
 
 from concurrent.futures import Future
 
-from understudy.batch.work.jobs import LineJob, LineOutcome
+from understudy.batch.work.jobs import LineJob, LineOutcome, ReferenceJob
 from understudy.batch.work.performing import perform_job
-from understudy.batch.work.speaking import ReferenceJob, learn_reference
+from understudy.batch.work.worker import learn_reference
 from understudy.model.voice.signal import SpeakerReference
 from understudy.models import Understudy
 

@@ -8,7 +8,7 @@ lines have some.
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
-from ..manifest.entries import ManifestEntry, State
+from ..manifest.store import ManifestEntry, State
 
 FLAT_ST = 1.2
 """A take whose pitch deviates less than this, in semitones, is hardly acted."""

@@ -15,9 +15,9 @@ import soundfile
 
 from ...model import Interval
 from ...model.formats.motion_formats import MotionFormat
-from ..compressed import is_compressed
-from ..manifest.entries import ManifestEntry, State
-from ..matching.joining import NearNames
+from ..audio import is_compressed
+from ..manifest.store import ManifestEntry, State
+from ..matching import NearNames
 from ..model import place_told
 from ..planning import BatchPlan, without_audio
 from ..work.formats import OutputFormat, needs_motion

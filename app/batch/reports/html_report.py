@@ -19,7 +19,7 @@ from string import Template
 from typing import TYPE_CHECKING
 from urllib.parse import quote
 
-from ..manifest.entries import ManifestEntry, State
+from ..manifest.store import ManifestEntry, State
 from ..work.jobs import Measures
 from .attention import attention, plain_words, reasons
 

@@ -18,8 +18,7 @@ from ...errors import InputError, ServiceError
 from ...model.voice.signal import SpeakerReference
 from ...settings import Settings
 from ...version import __version__
-from ..work.jobs import Failure, LineJob, LineOutcome
-from ..work.speaking import ReferenceJob
+from ..work.jobs import Failure, LineJob, LineOutcome, ReferenceJob
 from ..work.worker import learn_in_worker, perform_in_worker, version_in_worker
 from .engine import WorkerDiedError
 

@@ -29,10 +29,9 @@ from ...schemas.edits import write_edits
 from ...schemas.references import ReferenceForm
 from ...settings import PREFIX, Settings
 from ..work.formats import LineFormat, OutputFormat, act_path, beside, extension_of, recording_name
-from ..work.jobs import Failure, LineJob, LineOutcome, Measures, OutputFile, OutputTarget
-from ..work.speaking import ReferenceJob
+from ..work.jobs import Failure, LineJob, LineOutcome, Measures, OutputFile, OutputTarget, ReferenceJob
 from ..work.worker import learn_in_worker
-from .processes import Processes
+from .local import Processes
 
 SERVED = frozenset({LineFormat.BML, LineFormat.PERFORMANCE, LineFormat.WAV})
 

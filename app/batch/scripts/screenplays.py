@@ -19,8 +19,7 @@ from screenplay_tools.screenplay import Character, Dialogue, Element, Lyric, Par
 from ...errors import UndecodableError
 from ..model import Script, ScriptLine
 from .sheets import without_doubles
-from .speeches import cue_name, numbered
-from .text_files import decode_text
+from .text_files import cue_name, decode_text, numbered
 
 _NOTE = re.compile(r"\[\[(\d+)\]\]")
 _ID_NOTE = re.compile(r"\s*id\s*[:=]\s*(\S+)\s*", re.IGNORECASE)

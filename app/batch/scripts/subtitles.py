@@ -17,8 +17,7 @@ from ...errors import UndecodableError
 from ...model import Interval
 from ..model import RowProblem, Script, ScriptLine
 from .sheets import without_doubles
-from .speeches import spoken, with_name, without_tags
-from .text_files import decode_text
+from .text_files import decode_text, spoken, with_name, without_tags
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ from pathlib import Path
 from ...errors import InputError
 from ...model import Direction, Notice
 from ...options import Options
-from .audio import AudioSource
+from ..audio import AudioSource
 from .formats import OutputFormat
 
 
@@ -96,3 +96,11 @@ class LineOutcome:
     notices: tuple[Notice, ...] = ()
     measures: Measures | None = None
     failure: Failure | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ReferenceJob:
+    """A speaker whose usual voice is to be learnt, with recordings."""
+
+    speaker: str
+    recordings: tuple[AudioSource, ...]

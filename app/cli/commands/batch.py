@@ -6,9 +6,8 @@ from pathlib import Path
 
 from ...batch.batch import entries_before, run_batch
 from ...batch.layout import OURS, USUAL, Layout
-from ...batch.manifest.entries import ManifestEntry, State
-from ...batch.matching.joining import TakeChoice
-from ...batch.matching.recordings import RecordingPattern
+from ...batch.manifest.store import ManifestEntry, State
+from ...batch.matching import RecordingPattern, TakeChoice
 from ...batch.planning import plan_batch
 from ...batch.reports.dry_run import dry_run
 from ...batch.request import BatchRequest

@@ -8,7 +8,7 @@ from typing import Any, Self
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn, TimeRemainingColumn
 
-from ...batch.manifest.entries import ManifestEntry, State
+from ...batch.manifest.store import ManifestEntry, State
 from ...batch.planning import BatchPlan, without_audio
 from ..log import Audience, Log
 

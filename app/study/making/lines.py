@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from ...batch.matching.recordings import find_recordings
+from ...batch.matching import find_recordings
 from ...batch.planning import plan_batch, without_audio
 from ...batch.request import BatchRequest
 from ...batch.work.jobs import LineJob

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from understudy.batch.audio import AudioSource
 from understudy.batch.manifest.hashes import input_hash, installation_hash, settings_hash
-from understudy.batch.work.audio import AudioSource
 from understudy.batch.work.formats import LineFormat
 from understudy.batch.work.jobs import LineJob, MotionForm, OutputTarget
 from understudy.model import NEUTRAL, AffectTrack, Direction, Interval, Level, Mode, Target

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import pytest
 
+from understudy.batch.audio import AudioSource
 from understudy.batch.running.dask_cluster import DaskEngine
-from understudy.batch.running.supervising import WORKER_DIED, Done, supervise
-from understudy.batch.work.audio import AudioSource
+from understudy.batch.running.engine import WORKER_DIED, Done, supervise
 from understudy.batch.work.formats import LineFormat
 from understudy.batch.work.jobs import LineJob, LineOutcome, OutputTarget
 from understudy.errors import InputError

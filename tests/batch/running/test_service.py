@@ -14,8 +14,8 @@ from pydantic import SecretStr
 from tests.support.annotations import SWEEPING
 from understudy.api.application import create_app
 from understudy.api.workers.processes import Nursery
+from understudy.batch.audio import AudioSource
 from understudy.batch.running.service import ServiceEngine, require_served
-from understudy.batch.work.audio import AudioSource
 from understudy.batch.work.formats import LineFormat
 from understudy.batch.work.jobs import Failure, LineJob, OutputTarget
 from understudy.batch.work.performing import perform_job

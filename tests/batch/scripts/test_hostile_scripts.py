@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from openpyxl import Workbook
 
-from understudy.batch.matching.recordings import find_recordings
+from understudy.batch.matching import find_recordings
 from understudy.batch.scripts.reading import read_script
 from understudy.batch.scripts.sheets import LONGEST_CELL, MOST_COLUMNS, MOST_ROWS
 from understudy.errors import InputError, TooLargeError

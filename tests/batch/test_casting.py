@@ -5,8 +5,7 @@ from types import MappingProxyType
 
 import pytest
 
-from understudy.batch.casting.cast_file import Cast, CastPart
-from understudy.batch.casting.casting import Casting, listener_name, neighbours
+from understudy.batch.casting import Cast, Casting, CastPart, listener_name, neighbours
 from understudy.batch.model import Recording, ScriptLine, Take
 from understudy.model import Level, Target
 from understudy.options import Options

@@ -4,14 +4,14 @@ from pathlib import Path
 
 import numpy as np
 
-from understudy.batch.casting.voices import (
+from understudy.batch.audio import AudioSource
+from understudy.batch.voices import (
     FEWEST_RECORDINGS,
     MOST_RECORDINGS,
     keep_learnt,
     read_learnt,
     reference_jobs,
 )
-from understudy.batch.work.audio import AudioSource
 from understudy.model.voice.signal import SpeakerReference
 
 

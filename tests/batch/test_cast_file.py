@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from understudy.batch.casting.cast_file import read_cast
+from understudy.batch.casting import read_cast
 from understudy.errors import AuthoringError
 from understudy.model import Level, Target
 from understudy.schemas.affect import read_affect

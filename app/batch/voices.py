@@ -8,12 +8,12 @@ again.
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from ...model.voice.signal import SpeakerReference
-from ...schemas.references import read_reference, to_json
-from ..layout import file_name
-from ..work.audio import AudioSource
-from ..work.files import write_whole
-from ..work.speaking import ReferenceJob
+from ..model.voice.signal import SpeakerReference
+from ..schemas.references import read_reference, to_json
+from .audio import AudioSource
+from .layout import file_name
+from .work.files import write_whole
+from .work.jobs import ReferenceJob
 
 FOLDER = "references"
 

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from understudy.batch.running.processes import Processes
-from understudy.batch.running.supervising import WORKER_DIED, supervise
+from understudy.batch.running.engine import WORKER_DIED, supervise
+from understudy.batch.running.local import Processes
 from understudy.errors import InputError
 
 KILLER = 13
@@ -57,7 +57,7 @@ def test_workers_end_with_a_killed_parent(tmp_path: Path) -> None:
     script = tmp_path / "parent.py"
     script.write_text(
         "import os, time\n"
-        "from understudy.batch.running.processes import Processes\n"
+        "from understudy.batch.running.local import Processes\n"
         "if __name__ == '__main__':\n"
         "    processes = Processes(1)\n"
         f"    open({str(told)!r}, 'w').write(str(processes.call(os.getpid).result()))\n"

@@ -4,8 +4,14 @@ from pathlib import Path
 
 import pytest
 
-from understudy.batch.matching.joining import JoinedLines, TakeChoice, join_recordings
-from understudy.batch.matching.recordings import RecordingFile, RecordingPattern, find_recordings
+from understudy.batch.matching import (
+    JoinedLines,
+    RecordingFile,
+    RecordingPattern,
+    TakeChoice,
+    find_recordings,
+    join_recordings,
+)
 from understudy.batch.model import ScriptLine
 from understudy.errors import InputError
 

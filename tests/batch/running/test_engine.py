@@ -5,8 +5,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 
 import pytest
 
-from understudy.batch.running.engine import WorkerDiedError
-from understudy.batch.running.supervising import supervise
+from understudy.batch.running.engine import WorkerDiedError, supervise
 from understudy.errors import InputError, ServiceError, UnderstudyError
 
 

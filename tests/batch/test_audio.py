@@ -7,12 +7,11 @@ from pathlib import Path
 import pytest
 import soundfile
 
-from understudy.batch.matching.joining import join_recordings
-from understudy.batch.matching.recordings import find_recordings
+from understudy.batch.audio import AudioSource
+from understudy.batch.matching import find_recordings, join_recordings
 from understudy.batch.model import ScriptLine
 from understudy.batch.planning import plan_batch, without_audio
 from understudy.batch.request import BatchRequest
-from understudy.batch.work.audio import AudioSource
 from understudy.errors import InputError, UndecodableError
 from understudy.model import Interval
 

@@ -1,1 +1,0 @@
-"""Decides who performs a line, who listens to it, and what its speaker usually sounds like. Begin with `casting`."""

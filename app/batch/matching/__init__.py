@@ -1,1 +1,0 @@
-"""Matches lines with recordings. Imports the values of a batch and errors. Begin with `joining`."""

@@ -1,1 +1,0 @@
-"""Who performs, who listens, whose voice is learnt."""

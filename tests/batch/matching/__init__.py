@@ -1,1 +1,0 @@
-"""Matching lines and recordings; the recordings are empty files with names."""
