@@ -148,7 +148,7 @@ if TYPE_CHECKING:
         Viseme,
         Word,
     )
-    from .model.formats.bml_form import DialectName, TimeForm
+    from .model.formats import DialectName, TimeForm
     from .model.voice.signal import SpeakerReference
     from .models import LanguageModels, Understudy
     from .realizer.body.motion import Motion

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from .behavior.reading.planner import Planner
     from .behavior.slots.table import SlotTable
     from .model import Tone
-    from .model.limits.gesture_limits import GestureTable
+    from .model.limits import GestureTable
     from .profiles.profile import Profile
     from .realizer.gestures.library import Library
     from .realizer.realizing import Realizer

@@ -12,8 +12,7 @@ from types import MappingProxyType
 
 from .errors import InputError
 from .model import DEFAULT_CHARACTER, Level, Mode, Tone
-from .model.formats.bml_form import DialectName, TimeForm, VisemeNames
-from .model.formats.motion_formats import BapVersion, Keys
+from .model.formats import BapVersion, DialectName, Keys, TimeForm, VisemeNames
 
 LARGEST_SEED = 2**63 - 1
 MOST_LISTENERS = 16

@@ -12,7 +12,7 @@ from .model import (
     Target,
 )
 from .model.edits import NO_EDITS, Edits
-from .model.formats.bml_form import CORE_FORM, BmlForm
+from .model.formats import CORE_FORM, BmlForm
 from .model.targets import check_targets
 from .model.voice.signal import SpeakerReference
 from .option_table import PERFORMANCE

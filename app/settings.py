@@ -12,7 +12,7 @@ from pydantic_settings import BaseSettings, SettingsConfigDict
 
 from .authored_folders import layers_of
 from .errors import InputError, did_you_mean
-from .model.limits.motion_limits import MotionLimits
+from .model.limits import MotionLimits
 
 PREFIX = "UNDERSTUDY_"
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
 from ..errors import NotAcceptableError
-from ..model.formats.motion_formats import MotionFormat
+from ..model.formats import MotionFormat
 
 XML = "application/xml"
 JSON = "application/json"

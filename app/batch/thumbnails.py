@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from ..model.formats.motion_formats import MotionFormat
+from ..model.formats import MotionFormat
 from .layout import file_name
 from .manifest.store import ManifestEntry, State
 from .reports.html_report import Thumbnail

@@ -10,7 +10,7 @@ import json
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from ..model.formats.motion_formats import AudioFile
+from ..model.formats import AudioFile
 from .events import FUNCTIONS, TIERS, TimelineEvent
 
 Json = str | int | float | bool | None | Mapping[str, "Json"] | Sequence["Json"]

@@ -16,10 +16,9 @@ from ..behavior.choice.offered import is_offered
 from ..behavior.choice.scheduling import numbered
 from ..model import Behavior, Channel, Notice, Performance, SyncPoints, Utterance, Word
 from ..model.edits import BehaviorEdit, BehaviorReference
-from ..model.tables.lexemes import SHIFT
+from ..model.tables import SHIFT
 from .forms import ChangedBehavior, added, formed, forms_of, unplayed
-from .marks import moved, place_s
-from .room import INSTANT_S, SettledBehavior, with_room
+from .timing import INSTANT_S, SettledBehavior, moved, place_s, with_room
 from .words import find_word, word_gone
 
 _ON_ITS_FIRST_WORD = 4

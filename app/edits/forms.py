@@ -15,7 +15,7 @@ from ..behavior.timing.phases import Placing, Window, placed, soonest, underway
 from ..errors import did_you_mean
 from ..model import Behavior, Channel, Hand, Movement, Notice, SyncPoints, Word
 from ..model.edits import BehaviorEdit
-from ..model.limits.gesture_limits import Forms
+from ..model.limits import Forms
 
 PRIORITY = 10.0
 """As high as that of the most important moment of a plan."""

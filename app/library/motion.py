@@ -7,7 +7,7 @@ from pathlib import Path, PurePath
 from typing import Literal, TypedDict, Unpack
 
 from ..model import Performance
-from ..model.formats.motion_formats import AudioFile, BapVersion, Keys, MotionFormat, format_of
+from ..model.formats import AudioFile, BapVersion, Keys, MotionFormat, format_of
 from ..model.targets import targets_of
 from ..models import Understudy
 from ..realization import (

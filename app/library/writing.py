@@ -11,7 +11,7 @@ from ..bml.writing.writer import write_bml_json as _write_bml_json
 from ..bml.writing.writer import write_speech_file as _write_speech_file
 from ..errors import InputError
 from ..model import AlignedLine, Analysis, Performance
-from ..model.formats.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
+from ..model.formats import BmlForm, DialectName, TimeForm, VisemeNames
 from ..model.lead_in import with_lead_in
 from ..schemas.options import check_options
 from ..schemas.response_model import ResponseModel

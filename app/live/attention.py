@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from ..behavior.idle.idle_behaviors import BLINKS_PER_MINUTE
 from ..behavior.listeners.listening import SHORTEST_BETWEEN_NODS_S, HeadRates
 from ..model import Behavior
+from .agenda import Placer
 from .ear import PhraseEdge
-from .placing import Placer
 from .table import LiveTable
 
 SHORTEST_BETWEEN_BLINKS_S = 0.8

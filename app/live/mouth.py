@@ -18,7 +18,7 @@ from ..acoustic.signal.spectrum import mel_filters
 from ..behavior.speech.visemes import LEAST_ARTICULATION
 from ..errors import ServiceError
 from ..model import SAMPLE_RATE_HZ, FloatArray
-from ..model.tables.mouth_shapes import OPENINGS, SILENCE
+from ..model.tables import OPENINGS, SILENCE
 
 SHIFT_S = 0.02
 _SHIFT, _WINDOW, _FFT, _BANDS = round(SHIFT_S * SAMPLE_RATE_HZ), round(0.025 * SAMPLE_RATE_HZ), 512, 24

@@ -19,7 +19,7 @@ from ..acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
 from ..model import Behavior, FloatArray
 from ..prosody_gestures.live_gestures import ANNOUNCED_S, LiveGestures, LivePhase
 from ..prosody_gestures.voice_model import VoiceModel
-from .placing import Placer, held_until, struck_at
+from .agenda import Placer, held_until, struck_at
 from .table import LiveTable
 
 PREPARATION_S = 0.48

@@ -21,8 +21,8 @@ from ..options import Options
 from ..performance import perform_analysis
 from ..rules.derivation import understand
 from ..text.transcript import read_transcript
+from .ear import RecentVoice
 from .models import LiveModels
-from .voice import RecentVoice
 
 LEAD_IN_S = 0.6
 """How long before its first word a phrase may begin to move."""

@@ -3,7 +3,7 @@
 `bml` turns a BML file into a schedule, `motion` realizes schedules, `writing` writes the files.
 """
 
-from ..model.formats.motion_formats import FileOptions, Keys, MotionFormat, format_of
+from ..model.formats import FileOptions, Keys, MotionFormat, format_of
 from ..realizer.realizing import Realizer, realize
 from .bml import BmlInput, prepare_schedule
 from .motion import PreparedSchedule, RealizedSchedule, realize_prepared, schedule_of

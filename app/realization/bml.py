@@ -22,7 +22,7 @@ from ..bml.reading.record import Record, read_record
 from ..bml.reading.resolving import ResolvedDocument, resolve
 from ..model import DEFAULT_CHARACTER, Level, Notice, Schedule, Target, Word
 from ..model.lead_in import later_s
-from ..model.limits.motion_limits import MotionLimits
+from ..model.limits import MotionLimits
 from ..model.progress import Progress, no_progress
 from ..model.targets import check_targets
 from ..option_table import MOTION

@@ -11,7 +11,7 @@ from ..authored_folders import lexicon_folder
 from ..editorial.events import timeline_events, to_elan, to_event_table, to_textgrid, tracks_of
 from ..editorial.timeline import to_otio
 from ..model import FloatArray
-from ..model.formats.motion_formats import EDITORIAL, SCENES, AudioFile, FileOptions, Keys, MotionFormat
+from ..model.formats import EDITORIAL, SCENES, AudioFile, FileOptions, Keys, MotionFormat
 from ..realizer.avatars.avatar import to_avatar_glb
 from ..realizer.exporting.arkit_csv import to_arkit_csv
 from ..realizer.exporting.bvh import to_bvh

@@ -27,7 +27,7 @@ from ..model.edits import (
     WordMark,
     WordReference,
 )
-from ..model.tables.lexemes import GazeDirection
+from ..model.tables import GazeDirection
 from .affect import affect_rows, affect_track
 from .options import AffectValue, LevelName, ModeName, Seed
 from .requests import mistakes_told, read_object

@@ -12,8 +12,7 @@ from pydantic.config import JsonDict
 
 from ..errors import InputError, shown
 from ..model import Level, Mode
-from ..model.formats.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
-from ..model.formats.motion_formats import BapVersion, FileOptions, Keys
+from ..model.formats import BapVersion, BmlForm, DialectName, FileOptions, Keys, TimeForm, VisemeNames
 from ..model.targets import MOST_TARGETS, NAME, targets_of
 from ..option_table import LARGEST_SEED, MOST_LISTENERS, MOTION, PERFORMANCE, Option
 from ..options import Options

@@ -15,7 +15,7 @@ from understudy.batch.work.formats import FORMATS, OutputFormat, extension_of
 from understudy.batch.work.jobs import LineJob, OutputTarget, ReferenceJob
 from understudy.batch.work.performing import perform_job
 from understudy.batch.work.worker import learn_reference
-from understudy.model.formats.motion_formats import MotionFormat
+from understudy.model.formats import MotionFormat
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.settings import Settings

@@ -18,7 +18,7 @@ from understudy.bml.reading.reader import read_bml
 from understudy.bml.writing.writer import write_bml
 from understudy.errors import InputError
 from understudy.model import Line, Performance
-from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm
+from understudy.model.formats import BmlForm, DialectName, TimeForm
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform

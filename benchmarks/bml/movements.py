@@ -16,7 +16,7 @@ from typing import Any
 
 from benchmarks.bml.schedule import Outcome, Stages, outcome
 from understudy.model import Behavior, Channel
-from understudy.model.tables.lexemes import GAZE_LEXEMES
+from understudy.model.tables import GAZE_LEXEMES
 
 DIRECTED = Path(__file__).resolve().parents[3] / "shared" / "directing" / "dev-lines.jsonl"
 

@@ -47,7 +47,7 @@ from understudy.model import (
     Utterance,
     Word,
 )
-from understudy.model.formats.bml_form import BmlForm, TimeForm
+from understudy.model.formats import BmlForm, TimeForm
 from understudy.models import BehaviorModels
 from understudy.resources import RULES, resource_folder
 from understudy.rules.derivation import FunctionRules, understand

@@ -18,7 +18,7 @@ from understudy.behavior.table.behavior_table import load_table
 from understudy.bml.writing.smartbody_tables import shipped_tables
 from understudy.bml.writing.writer import losses, write_bml, write_speech_file
 from understudy.model import Channel, Line, Performance
-from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm
+from understudy.model.formats import BmlForm, DialectName, TimeForm
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform

@@ -23,7 +23,7 @@ from understudy.acoustic.contours import contours_of
 from understudy.acoustic.models import AcousticModels
 from understudy.acoustic.pacing.phone_durations import PhoneDurations
 from understudy.acoustic.stage import measure_stress
-from understudy.live.voice import RecentVoice
+from understudy.live.ear import RecentVoice
 from understudy.model import EMPHASISED, Contours, Interval, Phone, Word
 from understudy.settings import Settings
 

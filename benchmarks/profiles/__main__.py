@@ -24,8 +24,8 @@ from benchmarks.profiles.scripts import (
 from benchmarks.profiles.statistics import Statistics, annotated_statistics, chance, moved, scripted_statistics
 from understudy.model import Hand
 from understudy.models import Understudy
+from understudy.profiles.generation.candidates import Repertoire
 from understudy.profiles.generation.generating import Speaker, generate
-from understudy.profiles.generation.repertoire import Repertoire
 from understudy.profiles.mixing import mix
 from understudy.settings import Settings
 

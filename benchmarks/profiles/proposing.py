@@ -22,8 +22,7 @@ from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform
 from understudy.profiles.annotation.model import PhaseKind
-from understudy.profiles.proposing.bvh import WristPaths, read_wrists
-from understudy.profiles.proposing.phases import ProposedUnit, proposed_units
+from understudy.profiles.proposing import ProposedUnit, WristPaths, proposed_units, read_wrists
 from understudy.realization import MotionFormat, PreparedSchedule, RealizedSchedule, realize_prepared, write_motion
 from understudy.settings import Settings
 

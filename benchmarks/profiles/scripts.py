@@ -11,8 +11,8 @@ from understudy.model import Level, Parse, Token, Utterance
 from understudy.models import Understudy
 from understudy.profiles.annotation.model import Annotation
 from understudy.profiles.annotation.reading import read_annotations
+from understudy.profiles.generation.candidates import Repertoire
 from understudy.profiles.generation.generating import Speaker, generate
-from understudy.profiles.generation.repertoire import Repertoire
 from understudy.profiles.generation.script import GestureScript
 from understudy.profiles.learning.learning import learn
 from understudy.profiles.profile import Profile

@@ -16,7 +16,7 @@ from understudy.model import Hand, Word
 from understudy.profiles.annotation.model import Annotation
 from understudy.profiles.generation.script import GestureScript
 from understudy.profiles.learning.observations import observed_gestures
-from understudy.profiles.probabilities import shares_of
+from understudy.profiles.learning.tables import shares_of
 from understudy.profiles.profile import Profile
 from understudy.profiles.segments import segments_of, spoken_s, time_of
 

@@ -26,8 +26,8 @@ from benchmarks.prosody_gestures.tables import lived as committed
 from training.prosody_gestures.performed_lines import HANDS, STROKE, PerformedLine, learn, read_performed, strokes_of
 from training.prosody_gestures.train import CORPORA, FILE
 from understudy.acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
+from understudy.live.agenda import Placer
 from understudy.live.movements import LiveEvent, Movements
-from understudy.live.placing import Placer
 from understudy.live.table import FILE as LIVE
 from understudy.live.table import LiveTable
 from understudy.model import DEFAULT_CHARACTER, FRAME_SHIFT_S, Behavior

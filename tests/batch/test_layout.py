@@ -9,7 +9,7 @@ from understudy.batch.model import Recording, ScriptLine, Take
 from understudy.batch.work.formats import LineFormat
 from understudy.batch.work.jobs import OutputTarget
 from understudy.errors import InputError
-from understudy.model.formats.motion_formats import MotionFormat
+from understudy.model.formats import MotionFormat
 
 
 def test_a_path_for_each_format() -> None:

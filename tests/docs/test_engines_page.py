@@ -11,7 +11,7 @@ import pytest
 from tests.support.motion.gltf_reading import read
 from tests.support.motion.hand_made_motion import BODY, waving
 from understudy.cli.arguments.parser import make_parser
-from understudy.model.formats.motion_formats import format_of
+from understudy.model.formats import format_of
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.exporting.arkit_csv import to_arkit_csv
 from understudy.realizer.exporting.glb import to_glb

@@ -16,7 +16,7 @@ from understudy.bml.writing.writer import write_bml, write_speech_file
 from understudy.cli.main import main
 from understudy.errors import InputError
 from understudy.model import Line, Performance
-from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
+from understudy.model.formats import BmlForm, DialectName, TimeForm, VisemeNames
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform

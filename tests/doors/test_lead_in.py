@@ -19,8 +19,8 @@ from understudy.bml.writing.writer import write_bml
 from understudy.cli.main import main
 from understudy.errors import InputError
 from understudy.model import Behavior, Channel, GivenFunction, Line, Performance, Timings
-from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm
-from understudy.model.limits.gesture_limits import LATEST_S
+from understudy.model.formats import BmlForm, DialectName, TimeForm
+from understudy.model.limits import LATEST_S
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform

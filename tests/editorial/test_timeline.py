@@ -13,7 +13,7 @@ import opentimelineio as otio
 from tests.support.motion.editorial import LEAD_IN_S, REALIZED, SCHEDULE
 from understudy.editorial.events import TimelineEvent, timeline_events
 from understudy.editorial.timeline import to_otio
-from understudy.model.formats.motion_formats import AudioFile
+from understudy.model.formats import AudioFile
 
 EVENTS = timeline_events(SCHEDULE, REALIZED)
 RATE_HZ = 30

@@ -5,8 +5,8 @@ import pytest
 
 from tests.acoustic.pitch.test_streaming import LINE
 from understudy.acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
+from understudy.live.ear import StreamingVoice
 from understudy.live.movements import LATEST_S, LiveEvent, LiveEvents
-from understudy.live.voice import StreamingVoice
 from understudy.model import SAMPLE_RATE_HZ
 from understudy.prosody_gestures.live_gestures import DECIDED_S
 from understudy.prosody_gestures.voice_model import VoiceModel

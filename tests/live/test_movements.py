@@ -5,9 +5,9 @@ from random import Random
 import numpy as np
 import pytest
 
+from understudy.live.agenda import Placer
 from understudy.live.models import LiveModels
 from understudy.live.movements import HELD_AHEAD_S, LONGEST_HOLD_S, PREPARATION_S, LiveEvent, Movements
-from understudy.live.placing import Placer
 from understudy.model import Behavior, Channel
 
 

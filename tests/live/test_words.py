@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from understudy.errors import InputError
+from understudy.live.ear import RecentVoice
 from understudy.live.models import LiveModels
-from understudy.live.voice import RecentVoice
 from understudy.live.words import TimedText, paced_words, perform_words, timed_words
 from understudy.model import FRAME_SHIFT_S, Interval, Word
 from understudy.options import Options

@@ -9,7 +9,7 @@ from tests.motion_models.pairs import POINTS, write_bvh, write_points
 from understudy.bvh import read_bvh
 from understudy.errors import InputError
 from understudy.model import FloatArray, Schedule
-from understudy.model.formats.motion_formats import MotionFormat
+from understudy.model.formats import MotionFormat
 from understudy.models import Understudy
 from understudy.motion_models.bodies import BodyTrack, body_of_bvh, body_of_points
 from understudy.realization import RealizedSchedule, write_motion

@@ -14,8 +14,8 @@ from tests.support.bml.bml_records import without_record
 from understudy.bml.writing.writer import write_bml
 from understudy.errors import InputError
 from understudy.model import Channel, Level, Line, Mode, Performance, Side, Slots
-from understudy.model.formats.bml_form import BmlForm, TimeForm
-from understudy.model.limits.motion_limits import MotionLimits
+from understudy.model.formats import BmlForm, TimeForm
+from understudy.model.limits import MotionLimits
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform

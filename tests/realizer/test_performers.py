@@ -8,7 +8,7 @@ import pytest
 
 from tests.support.motion.gltf_reading import read
 from understudy.model import Behavior, Channel, Hand, Schedule, SyncPoints
-from understudy.model.formats.motion_formats import MotionFormat
+from understudy.model.formats import MotionFormat
 from understudy.models import load_realizer
 from understudy.realization import RealizedSchedule, Realizer, realize, write_motion
 from understudy.realizer.body.contacts import penetrations_m

@@ -26,7 +26,7 @@ from understudy.performance import analyze, perform_analysis
 from understudy.profiles.annotation.elan import write_elan
 from understudy.profiles.annotation.tables import write_json_tracks
 from understudy.profiles.annotation.tracks import Track, TrackSpan, rows_of, with_attribute_tracks
-from understudy.profiles.generation.repertoire import PlayableGesture
+from understudy.profiles.generation.candidates import PlayableGesture
 from understudy.profiles.profile import tag_of
 from understudy.profiles.segments import time_of
 from understudy.rules.stage import find_functions_in_all

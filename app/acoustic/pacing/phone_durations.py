@@ -12,7 +12,7 @@ from pydantic import Field, RootModel
 
 from ...errors import AuthoringError, Mistake, did_you_mean
 from ...model import Interval, Phone, Word
-from ...model.tables.mouth_shapes import PHONES
+from ...model.tables import PHONES
 from ...yaml_files import Source
 
 FILE = "phone_durations.yaml"

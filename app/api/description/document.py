@@ -11,11 +11,10 @@ from ...schemas.direction import DirectionRequest
 from ...schemas.edits import EditsForm
 from ...schemas.gestures.definitions import GestureCheckRequest, GestureCheckResponse, GestureMotionRequest
 from ...schemas.gestures.language import GestureLanguageResponse
-from ...schemas.given_functions import GivenFunctionRequest
 from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
 from ...schemas.motion import AvatarPoseOptions, AvatarPoseResponse, ClipResponse
 from ...schemas.options import PerformOptions, RealizeOptions
-from ...schemas.requests import FunctionsRequest
+from ...schemas.requests import FunctionsRequest, GivenFunctionRequest
 from ...schemas.responses import FunctionsResponse, PerformResponse, StatusResponse
 from ...schemas.rules import (
     RuleCheckResponse,

@@ -23,16 +23,15 @@ from ...library.motion import (
 from ...library.performing import PerformedLine, perform_line
 from ...library.writing import write_bml_files
 from ...model import Line, Notice
-from ...model.formats.motion_formats import AudioFile
+from ...model.formats import AudioFile
 from ...model.targets import targets_of
 from ...models import Understudy
 from ...option_table import MOTION
 from ...options import Options
 from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits
-from ...schemas.given_functions import read_functions
 from ...schemas.options import RealizeOptions, read_options, read_realize_options
-from ...schemas.requests import read_object, read_request, read_timings, spoken_line
+from ...schemas.requests import read_functions, read_object, read_request, read_timings, spoken_line
 from ...schemas.responses import FunctionsResponse, PerformResponse
 from ...schemas.rules import read_rule_part
 from ..bodies import BML_TYPES, form_limits, media_type_of

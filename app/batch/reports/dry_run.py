@@ -14,7 +14,7 @@ from types import MappingProxyType
 import soundfile
 
 from ...model import Interval
-from ...model.formats.motion_formats import MotionFormat
+from ...model.formats import MotionFormat
 from ..audio import is_compressed
 from ..manifest.store import ManifestEntry, State
 from ..matching import NearNames

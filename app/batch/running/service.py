@@ -19,7 +19,7 @@ import requests
 from ...errors import InputError, ServiceError
 from ...model import EMPHASISED, Notice
 from ...model.edits import NO_EDITS
-from ...model.formats.bml_form import DialectName
+from ...model.formats import DialectName
 from ...model.voice.signal import SpeakerReference
 from ...profiles.files.writing import profile_yaml
 from ...profiles.profile import Profile

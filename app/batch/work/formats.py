@@ -8,7 +8,7 @@ from pathlib import PurePosixPath
 
 from ...errors import InputError, did_you_mean
 from ...library.checks import require_writer
-from ...model.formats.motion_formats import PICTURES, MotionFormat
+from ...model.formats import PICTURES, MotionFormat
 from ...settings import Settings
 
 

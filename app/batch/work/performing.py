@@ -22,8 +22,7 @@ from ...library.writing import (
     write_textgrid,
 )
 from ...model import Analysis, Channel, Line, Performance
-from ...model.formats.bml_form import BmlForm, DialectName
-from ...model.formats.motion_formats import AudioFile, FileOptions, MotionFormat
+from ...model.formats import AudioFile, BmlForm, DialectName, FileOptions, MotionFormat
 from ...models import Understudy
 from .files import write_files
 from .formats import LineFormat, act_path, beside, needs_motion, recording_name

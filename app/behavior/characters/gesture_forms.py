@@ -12,7 +12,7 @@ from itertools import chain
 
 from ...model import Channel, Hand, Level
 from ...model.figure import GestureManner
-from ...model.limits.gesture_limits import Forms, GestureTable
+from ...model.limits import Forms, GestureTable
 from ...on_demand import OnDemand
 from ..table.behavior_table import BehaviorEntry, BriefGesture, PhaseDuration, Timing
 from .overlays import Character, Characters

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 from ...model import Behavior, Channel, Interval, Utterance, Word
-from ...model.tables.lexemes import LOOK
+from ...model.tables import LOOK
 from ..characters.overlays import Character
 from ..idle.saccades import Habit, glances
 from ..reading.player import Ban, banned

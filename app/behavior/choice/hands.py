@@ -11,7 +11,7 @@ from math import inf
 from types import MappingProxyType
 
 from ...model import Behavior, Channel, Hand
-from ...model.limits.gesture_limits import Forms
+from ...model.limits import Forms
 from ..table.behavior_table import Timing
 from ..timing.anchoring import PlacedBehavior
 from ..timing.conflicts import REACH_S, FittedBehavior, compete, fitted

@@ -10,7 +10,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 from ...model import Behavior, BehaviorCandidates, Channel
-from ...model.tables.lexemes import SHIFT
+from ...model.tables import SHIFT
 from ..timing.conflicts import Kept
 
 HEAD_REPEAT_S = 3.0

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from ...model import Interval
-from ...model.tables.lexemes import GazeDirection
+from ...model.tables import GazeDirection
 
 
 @dataclass(frozen=True, slots=True)

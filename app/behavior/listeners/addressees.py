@@ -11,7 +11,7 @@ from dataclasses import replace
 from math import cos, pi, radians, sin
 
 from ...model import Behavior, Channel, Target
-from ...model.tables.lexemes import SHIFT
+from ...model.tables import SHIFT
 from ...model.targets import LISTENER
 
 DISTANCE_M = 1.25

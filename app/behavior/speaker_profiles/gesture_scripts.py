@@ -22,10 +22,9 @@ from ...model import (
     Moment,
     Utterance,
 )
-from ...profiles.generation.behaviors import behaviors_of
+from ...profiles.generation.candidates import ClosedWords, PlayableGesture, Repertoire
 from ...profiles.generation.generating import Speaker, generate
-from ...profiles.generation.repertoire import ClosedWords, PlayableGesture, Repertoire
-from ...profiles.generation.script import GestureScript
+from ...profiles.generation.script import GestureScript, behaviors_of
 from ...profiles.profile import Profile, tag_of, tags_of
 from ...text.transcript import MAX_WORDS
 from ..candidates.notes import WORDS_NEAR

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ...model import Behavior, Channel, SyncPoints
-from ...profiles.generation.behaviors import PRIORITY, RESTS, STANCES
-from ...profiles.generation.units import rest_after
+from ...profiles.generation.phases import rest_after
+from ...profiles.generation.script import PRIORITY, RESTS, STANCES
 from ...profiles.profile import Profile
 from ..characters.overlays import Character
 from ..listeners.listening import HeadRates

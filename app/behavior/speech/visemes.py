@@ -18,7 +18,7 @@ from dataclasses import replace
 from types import MappingProxyType
 
 from ...model import Interval, Notice, Phone, Viseme, Word
-from ...model.tables.mouth_shapes import OPENINGS, PHONES, SILENCE
+from ...model.tables import OPENINGS, PHONES, SILENCE
 
 LEAST_ARTICULATION = 0.6
 ASPIRATION = 1 / 3

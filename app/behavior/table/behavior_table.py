@@ -16,8 +16,8 @@ from pydantic import AfterValidator, Field
 from ...authored_folders import tables_of
 from ...errors import AuthoringError, did_you_mean
 from ...model import Channel, Hand
-from ...model.limits.gesture_limits import Forms
-from ...model.tables.lexemes import ACTION_UNITS, CORE_LEXEMES, GAZE_LEXEMES, GazeDirection
+from ...model.limits import Forms
+from ...model.tables import ACTION_UNITS, CORE_LEXEMES, GAZE_LEXEMES, GazeDirection
 from ...yaml_files import Entry, Source
 
 STROKED = frozenset({Channel.GESTURE, Channel.HEAD})

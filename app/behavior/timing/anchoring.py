@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from math import floor
 
 from ...model import Behavior, Channel, Hand, Interval, Movement, Phone, SyncPoints, Word
-from ...model.limits.gesture_limits import LATEST_S, Forms
+from ...model.limits import LATEST_S, Forms
 from ..idle.idle_behaviors import IdleBehavior
 from ..table.behavior_table import STROKED, Anchor, BehaviorEntry, BriefGesture, PhaseDuration
 from .phases import Placing, Window, placed, soonest, underway

@@ -9,7 +9,7 @@ which joins the two into one gesture unit (§3.8); a gesture may then come `EARL
 may begin later, or its stroke, and then its successor's, is made smaller and shorter. If that is not enough either, the
 candidate loses, with the winner's id and the reason.
 
-Between two gestures of a hand there is at least the time for the transition (`understudy.model.limits.gesture_limits`),
+Between two gestures of a hand there is at least the time for the transition (`understudy.model.limits`),
 by which the realizer judges them too: what is kept can be played.
 """
 
@@ -17,8 +17,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from ...model import Behavior, Channel, Hand
-from ...model.limits.gesture_limits import TransitionTimes, transition_times
-from ...model.tables.lexemes import GLANCE, LIDS_AND_CHEEKS, LOOK, LOWER_FACE
+from ...model.limits import TransitionTimes, transition_times
+from ...model.tables import GLANCE, LIDS_AND_CHEEKS, LOOK, LOWER_FACE
 from ..table.behavior_table import PhaseDuration
 from .anchoring import PlacedBehavior
 from .phases import Window, placed

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
-from ...model.formats.bml_form import DialectName
+from ...model.formats import DialectName
 
 
 @dataclass(frozen=True, slots=True)

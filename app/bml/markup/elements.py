@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from types import MappingProxyType
 
-from ...model.formats.bml_form import DialectName
+from ...model.formats import DialectName
 
 CORE = "http://www.bml-initiative.org/bml/bml-1.0"
 CORE_EXTENSIONS = "http://www.bml-initiative.org/bml/coreextensions-1.0"

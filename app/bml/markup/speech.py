@@ -20,7 +20,7 @@ from functools import partial
 from types import MappingProxyType
 
 from ...model import SyncPoints, Word
-from ...model.formats.bml_form import TimeForm
+from ...model.formats import TimeForm
 from .documents import Document, Element, Reference, Time
 
 _NAMES: Mapping[str, str] = MappingProxyType({"sync": "id", "mark": "name"})

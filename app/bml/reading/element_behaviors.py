@@ -19,7 +19,7 @@ from types import MappingProxyType
 from ...authored_folders import lexicon_folder
 from ...errors import AuthoringError, Mistake
 from ...model import Behavior, Channel, Hand, SyncPoints
-from ...model.tables.lexemes import ACTION_UNITS, GLANCE, LOOK, SHIFT
+from ...model.tables import ACTION_UNITS, GLANCE, LOOK, SHIFT
 from ...yaml_files import Entry, Source
 from ..markup.documents import Element
 from ..markup.elements import SBM

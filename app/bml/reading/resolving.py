@@ -14,10 +14,9 @@ from itertools import pairwise
 from typing import TypeGuard
 
 from ...model import Behavior, Channel, Interval, Level, Notice, SyncPoints, Target, Viseme, Word
-from ...model.formats.bml_form import DialectName
+from ...model.formats import DialectName
 from ...model.lead_in import later_word
-from ...model.tables.lexemes import GLANCE, SHIFT
-from ...model.tables.mouth_shapes import OPENINGS
+from ...model.tables import GLANCE, OPENINGS, SHIFT
 from ..markup.documents import (
     Document,
     Element,

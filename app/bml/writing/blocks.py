@@ -16,9 +16,9 @@ from itertools import pairwise
 from types import MappingProxyType
 
 from ...model import Behavior, Channel, Hand, Performance, Phone, Target, Word
-from ...model.formats.bml_form import DialectName, TimeForm
+from ...model.formats import DialectName, TimeForm
 from ...model.lead_in import later_s, later_word
-from ...model.tables.lexemes import ACTION_UNITS
+from ...model.tables import ACTION_UNITS
 from ..markup.documents import Document, Element, Time, Value
 from ..markup.elements import BMLT, OURS, RECORD_TYPE
 from ..markup.slots import written_slots

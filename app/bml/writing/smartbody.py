@@ -12,8 +12,8 @@ from dataclasses import replace
 from types import MappingProxyType
 
 from ...model import Behavior, Channel, Level, Notice, Performance
-from ...model.formats.bml_form import DialectName, TimeForm
-from ...model.tables.lexemes import ACTION_UNITS
+from ...model.formats import DialectName, TimeForm
+from ...model.tables import ACTION_UNITS
 from ...model.targets import LISTENER
 from ..markup.documents import (
     Document,

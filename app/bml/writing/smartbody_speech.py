@@ -8,8 +8,8 @@ as text without escaping it, so that `&`, `<` and `>` in it cut it off.
 from collections.abc import Iterator, Mapping
 
 from ...model import Performance, Viseme, Word
-from ...model.formats.bml_form import DialectName, TimeForm
-from ...model.tables.mouth_shapes import SILENCE
+from ...model.formats import DialectName, TimeForm
+from ...model.tables import SILENCE
 from ..markup.documents import Document, Element, Value
 from ..markup.speech import SPEECH, to_milli
 from .smartbody_tables import SmartBodyMouthShape

@@ -17,8 +17,8 @@ from pydantic import Field
 from ...authored_folders import lexicon_folder
 from ...errors import AuthoringError, Mistake
 from ...model import Hand
-from ...model.formats.bml_form import VisemeNames
-from ...model.tables.mouth_shapes import OPENINGS, SILENCE
+from ...model.formats import VisemeNames
+from ...model.tables import OPENINGS, SILENCE
 from ...yaml_files import Entry, Source
 
 FILE = "smartbody.yaml"

@@ -10,7 +10,7 @@ import json
 from dataclasses import dataclass, replace
 
 from ...model import Listening, Notice, Parse, Performance
-from ...model.formats.bml_form import CORE_FORM, BmlForm, DialectName, TimeForm
+from ...model.formats import CORE_FORM, BmlForm, DialectName, TimeForm
 from ..markup.documents import Document, Element, Reference, Value
 from ..markup.xml_writing import to_xml
 from .blocks import to_core

@@ -15,8 +15,7 @@ from ...errors import InputError
 from ...library.checks import check_character, check_line
 from ...library.writing import speech_file_name, write_bml_files, write_bml_json, write_json
 from ...model import PLAIN, AffectTrack, Analysis, Behavior, Function, Line, Performance
-from ...model.formats.bml_form import BmlForm
-from ...model.formats.motion_formats import is_editorial
+from ...model.formats import BmlForm, is_editorial
 from ...options import Options
 from ...schemas.gestures.script import script_json
 from ...schemas.options import listener_names

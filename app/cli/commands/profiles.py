@@ -15,12 +15,10 @@ from ...profiles.annotation.reading import LARGEST_BYTES, read_annotations, read
 from ...profiles.annotation.tables import write_json_tracks
 from ...profiles.annotation.tracks import KNOWN, PHRASE_ATTRIBUTES, Track, merged, rows_of, with_attribute_tracks
 from ...profiles.files.writing import profile_yaml
-from ...profiles.generation.behaviors import RESTS, STANCES
+from ...profiles.generation.script import RESTS, STANCES
 from ...profiles.learning.learning import doubts
 from ...profiles.mixing import mix
-from ...profiles.proposing.bvh import read_wrists
-from ...profiles.proposing.phases import ProposedUnit, proposed_units
-from ...profiles.proposing.proposing import proposed_tracks
+from ...profiles.proposing import ProposedUnit, proposed_tracks, proposed_units, read_wrists
 from ...settings import read_settings
 from ..files import STANDARD, read_bytes, require_writable, write, write_standard
 from ..inputs.lines import named_profile

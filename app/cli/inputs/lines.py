@@ -10,7 +10,7 @@ from pathlib import PurePath
 from ...errors import InputError
 from ...model import AffectTrack, Direction, GivenFunction, Level, Line, Mode, Timings
 from ...model.edits import NO_EDITS, Edits
-from ...model.formats.bml_form import CORE_FORM, BmlForm, DialectName, TimeForm, VisemeNames
+from ...model.formats import CORE_FORM, BmlForm, DialectName, TimeForm, VisemeNames
 from ...model.targets import read_targets
 from ...models import load_characters, load_profile, usable_profile
 from ...options import Options
@@ -18,9 +18,8 @@ from ...profiles.profile import Profile
 from ...schemas.affect import read_affect, read_affect_track
 from ...schemas.direction import read_direction
 from ...schemas.edits import read_edits
-from ...schemas.given_functions import read_functions
 from ...schemas.options import listener_characters, listener_names
-from ...schemas.requests import read_timings, spoken_line
+from ...schemas.requests import read_functions, read_timings, spoken_line
 from ...settings import Settings
 from ..files import STANDARD, read_bytes, read_text
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...library.checks import check_skeleton, require_physics, require_writer
-from ...model.formats.motion_formats import PICTURES, AudioFile, BapVersion, FileOptions, Keys, format_of
+from ...model.formats import PICTURES, AudioFile, BapVersion, FileOptions, Keys, format_of
 from ...models import load_realizer
 from ...option_table import MOTION
 from ...settings import Settings

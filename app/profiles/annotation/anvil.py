@@ -12,9 +12,8 @@ from pathlib import Path
 
 from lxml import etree
 
-from .file_text import number_of, xml_root
 from .mistakes import AnnotationError, AnnotationMistake
-from .tracks import LABELS, Track, TrackSpan, track_name, track_of
+from .tracks import LABELS, Track, TrackSpan, number_of, track_name, track_of, xml_root
 
 _NUMBER = re.compile(r"\d{1,9}", re.ASCII)
 _LABEL_NAMES = ("type", "lexeme", "token", "text", "tag", "name", "rest", "phase")

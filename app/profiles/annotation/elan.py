@@ -10,9 +10,8 @@ from pathlib import Path
 import numpy as np
 from lxml import etree
 
-from .file_text import number_of, xml_root
 from .mistakes import AnnotationError, AnnotationMistake
-from .tracks import Track, TrackSpan, track_of
+from .tracks import Track, TrackSpan, number_of, track_of, xml_root
 
 _UNITS = "milliseconds"
 _TYPE = "marked"

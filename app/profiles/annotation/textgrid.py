@@ -10,9 +10,8 @@ from collections.abc import Iterator
 from math import isfinite
 from pathlib import Path
 
-from .file_text import decoded
 from .mistakes import AnnotationError, AnnotationMistake
-from .tracks import Track, TrackSpan, track_of
+from .tracks import Track, TrackSpan, decoded, track_of
 
 _TOKEN = re.compile(r'"(?:[^"]|"")*"|[^\s"]+')
 _KINDS = {"IntervalTier": 3, "TextTier": 2}

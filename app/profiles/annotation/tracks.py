@@ -1,4 +1,6 @@
-"""Tracks as every format of annotation has them: named rows of spans, each with a label and perhaps attributes.
+"""Tracks as every format of annotation has them: named rows of spans, each with a label and perhaps attributes; how the
+text of their files is read (its encoding, and XML with the line of each element); and an index of spans by time, so
+that an hour of annotation is read in seconds.
 
 Times are seconds. A track `phrases.hand` gives the attribute `hand` of the spans of `phrases`: formats whose spans have
 only labels (ELAN, TextGrid) write attributes so, each in the time of its span. Tracks `tags`, `tags_2`, … are one, for
@@ -6,11 +8,90 @@ spans that overlap need a row each where a tool draws them.
 """
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from bisect import bisect_left, bisect_right
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import accumulate
+from math import isfinite
+from pathlib import Path
 from types import MappingProxyType
+from typing import Generic, TypeVar
 
-from .in_time import InTime
+from lxml import etree
+
+from .mistakes import AnnotationError, AnnotationMistake
+
+Thing = TypeVar("Thing")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class InTime(Generic[Thing]):
+    """Things in order of their starts; they may overlap. `latest_ends` has for each the latest end up to it."""
+
+    things: tuple[Thing, ...]
+    starts: tuple[float, ...]
+    ends: tuple[float, ...]
+    latest_ends: tuple[float, ...]
+
+    @classmethod
+    def of(cls, things: Iterable[Thing], times: Callable[[Thing], tuple[float, float]]) -> "InTime[Thing]":
+        """The things; `times` has the start and end of one."""
+        timed = sorted(((*times(thing), thing) for thing in things), key=lambda each: each[:2])
+        ends = tuple(end for _start, end, _thing in timed)
+        starts = tuple(start for start, _end, _thing in timed)
+        return cls(tuple(thing for _start, _end, thing in timed), starts, ends, tuple(accumulate(ends, max)))
+
+    def touching(self, start: float, end: float) -> tuple[Thing, ...]:
+        """Those that share time with the stretch."""
+        first, after = bisect_right(self.latest_ends, start), bisect_left(self.starts, end)
+        return tuple(self.things[place] for place in range(first, after) if self.ends[place] > start)
+
+    def within(self, start: float, end: float) -> tuple[Thing, ...]:
+        """Those that lie in the stretch."""
+        first, after = bisect_left(self.starts, start), bisect_right(self.starts, end)
+        return tuple(self.things[place] for place in range(first, after) if self.ends[place] <= end)
+
+    def any_holds(self, start: float, end: float) -> bool:
+        """Whether the stretch lies in one of them."""
+        begun = bisect_right(self.starts, start)
+        return begun > 0 and self.latest_ends[begun - 1] >= end
+
+
+def decoded(content: bytes, path: Path) -> str:
+    """The text without its mark; raises AnnotationError with the place of the first byte that is none."""
+    encoding = "utf-16" if content.startswith((BOM_UTF16_BE, BOM_UTF16_LE)) else "utf-8-sig"
+    try:
+        return content.decode(encoding)
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        message = f"line {line}: byte {error.start} is not {encoding.upper().removesuffix('-SIG')}; save it as UTF-8"
+        raise AnnotationError([AnnotationMistake(path, message)]) from None
+
+
+def xml_root(content: bytes, path: Path, expected: str) -> etree._Element:
+    """The root of a document, which must be called `expected`, names without their namespaces; raises
+    AnnotationError."""
+    parser = etree.XMLParser(resolve_entities=False, no_network=True, load_dtd=False)
+    try:
+        root = etree.fromstring(content, parser)
+    except etree.XMLSyntaxError as error:
+        raise AnnotationError([AnnotationMistake(path, f"not XML: {error.msg}")]) from None
+    for element in root.iter("{*}*"):
+        element.tag = etree.QName(element).localname
+    if root.tag != expected:
+        raise AnnotationError([AnnotationMistake(path, f"the document is <{root.tag}>; <{expected}> is expected")])
+    return root
+
+
+def number_of(element: etree._Element, name: str) -> float | None:
+    """An attribute as a number; None where it is missing or none."""
+    try:
+        number = float(element.get(name, ""))
+    except ValueError:
+        return None
+    return number if isfinite(number) else None
+
 
 TRACK_NAMES: Mapping[str, str] = MappingProxyType(
     {

@@ -1,25 +1,64 @@
-"""Candidates (NGS §3.3, steps 1 to 3): the words as places for strokes, and what could be made on each.
+"""Candidates (NGS §3.3, steps 1 to 3): the words as places for strokes, and what could be made on each, of what may be
+played at all: the gestures of the behaviour table, less those that a line forbids.
 
-A gesture is a candidate for a tag if it is likely enough among the gestures that come with it (the paper takes
-P(g∣s) > .1). Its stroke may fall on the tag's last word, and, where the tag is in the rheme of its segment, on the
-focus. The rheme is the segment from its first verb on, the focus the most emphasised of its words, the last of equals;
-the paper has both marked by hand.
-
-Our tags are communicative functions, of which nearly every phrase has one, so that P(g∣s) alone is rarely over .1: the
-threshold is on the share of g among the gestures of s, and P(any∣s) weighs the place. It is .02, not .1, by which 15 to
-17 % of a speaker's gestures became others than his (`python -m benchmarks.profiles`; with .02 6 to 10 %). A word that
-shows several tags adds them up, as the counts of learning were shared among them.
+A gesture is a candidate for a tag if it is likely enough among the gestures that come with it (the paper takes P(g∣s) >
+.1). Its stroke may fall on the tag's last word, and, where the tag is in the rheme of its segment, on the focus. The
+rheme is the segment from its first verb on, the focus the most emphasised of its words, the last of equals; the paper
+has both marked by hand.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 
-from ...model import Utterance, Word
+from ...model import Hand, Interval, Utterance, Word
+from ...model.limits import Forms
 from ..annotation.model import TaggedWords
 from ..profile import Profile, TagHabit
 from ..segments import segments_of, time_of
-from .repertoire import Repertoire
+
+
+@dataclass(frozen=True, slots=True)
+class PlayableGesture:
+    """A lexeme that the table offers: its forms by the hands that may make it, how long its stroke lasts and which part
+    of it lies before the emphasis, its size in [0, 1], and the lemmas of which the words around must have one (none:
+    any words)."""
+
+    forms: Mapping[Hand, Forms]
+    stroke_s: float
+    emphasis: float
+    amount: float | None = None
+    lemmas: frozenset[str] = frozenset()
+
+
+@dataclass(frozen=True, slots=True)
+class ClosedWords:
+    """Words `first` to `last`, on which none of `lexemes` may be made; None stands for all gestures."""
+
+    first: int
+    last: int
+    lexemes: Collection[str] | None = None
+
+    def closes(self, word: int, lexeme: str) -> bool:
+        """Whether a stroke of the lexeme on the word is out."""
+        return self.first <= word <= self.last and (self.lexemes is None or lexeme in self.lexemes)
+
+
+@dataclass(frozen=True, slots=True)
+class Repertoire:
+    """The gestures by lexeme, what is closed, and when the hands are taken by other gestures."""
+
+    gestures: Mapping[str, PlayableGesture]
+    closed: tuple[ClosedWords, ...] = ()
+    taken: tuple[Interval, ...] = ()
+
+    def allows(self, lexeme: str, word: int, lemmas: Collection[str]) -> bool:
+        """Whether the lexeme may be made on a word that has these lemmas about it."""
+        gesture = self.gestures.get(lexeme)
+        if gesture is None or any(each.closes(word, lexeme) for each in self.closed):
+            return False
+        return not gesture.lemmas or not gesture.lemmas.isdisjoint(lemmas)
+
 
 THRESHOLD = 0.02
 

@@ -3,10 +3,10 @@
      1–3  words, tags, candidates                                   `candidates`
      4, 5  the sequence of gestures at the speaker's rate, and hands `sequence`
      6    the form of the hand is the library's for the lexeme, in the size of the speaker's
-     7, 8  units; a preparation where there is time                  `units`
+     7, 8  units; a preparation where there is time                  `phases`
      9    where strokes lead from and to: an occurrence of the speaker's GestureDB
     10–13 strokes and their times, what gives way                    `phases`
-    14–16 holds, retractions, the script                             `units`, `script`
+    14–16 holds, retractions, the script                             `phases`, `script`
 
 Everything that is drawn is drawn from the seed and the words.
 
@@ -25,17 +25,26 @@ from math import inf
 from statistics import fmean
 
 from ...model import Hand, Interval, Utterance, Word
-from ...model.limits.gesture_limits import USUAL_AMOUNT, transition_times
+from ...model.limits import USUAL_AMOUNT, transition_times
 from ..annotation.model import TaggedWords
 from ..profile import FIRST, Occurrence, Profile
 from ..segments import segments_of, spoken_s
 from ..space import size_of
-from .candidates import StrokeWord, places_of
-from .phases import MOVED_S, TimedStrokes, after, drawn_main, form_of, with_after_strokes
-from .repertoire import PlayableGesture, Repertoire
+from .candidates import PlayableGesture, Repertoire, StrokeWord, places_of
+from .phases import (
+    MOVED_S,
+    Bounds,
+    TimedStrokes,
+    after,
+    bounds_of,
+    drawn_main,
+    form_of,
+    joined,
+    rest_after,
+    with_after_strokes,
+)
 from .script import GestureScript, ScriptedGesture, ScriptedUnit
 from .sequence import Drawn, drawn_gestures, drawn_hands
-from .units import Bounds, bounds_of, joined, rest_after
 
 PREPARED_S = 0.5
 """With less time than this before its stroke a gesture is not prepared anew."""

@@ -18,8 +18,7 @@ import numpy as np
 
 from ...model import FloatArray, Hand
 from ..profile import FIRST, Profile
-from .candidates import StrokeWord
-from .repertoire import Repertoire
+from .candidates import Repertoire, StrokeWord
 
 APART_S = 0.8
 """Strokes of two gestures are at least so far apart."""

@@ -8,7 +8,6 @@ from statistics import fmean
 
 from ...model import Hand, Interval
 from ..annotation.model import Annotation, LabelledInterval, PhaseKind, Unit
-from ..probabilities import shares_of
 from ..profile import (
     FormHabit,
     HeadHabit,
@@ -22,6 +21,7 @@ from ..profile import (
 from ..segments import SHORTEST_REST_S
 from ..space import size_of
 from .observations import ObservedGesture
+from .tables import shares_of
 
 OWN_MEAN = 3.0
 """How many gestures of a lexeme weigh as much as the speaker's mean over all."""

@@ -12,12 +12,11 @@ from collections.abc import Collection, Iterator, Sequence
 from ...errors import InputError
 from ...model import Hand, Notice
 from ..annotation.model import Annotation
-from ..probabilities import shares_of
 from ..profile import FIRST, Profile, Smoothing
 from ..segments import spoken_s
 from .habits import database_of, form_habits, head_habit, lexeme_habits, phase_habit, rest_habit, unit_habit
 from .observations import all_of
-from .tables import rows_of, tag_table
+from .tables import rows_of, shares_of, tag_table
 
 FEWEST_GESTURES = 10
 """With fewer there is no habit to speak of."""

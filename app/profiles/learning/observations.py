@@ -5,9 +5,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from ...model import Hand, Word
-from ..annotation.in_time import InTime
 from ..annotation.model import Annotation, GesturePhrase, TaggedWords
 from ..annotation.spans import words_in_time
+from ..annotation.tracks import InTime
 from ..profile import ANY_TAG, FIRST
 from ..segments import time_of
 

@@ -3,7 +3,7 @@
 from importlib.util import find_spec
 
 from ...errors import ServiceError
-from ...model.formats.motion_formats import SCENES, MotionFormat
+from ...model.formats import SCENES, MotionFormat
 from .fbx import blender_command
 
 

@@ -24,7 +24,7 @@ from pxr import Gf, Kind, Sdf, Usd, UsdGeom, UsdMedia, UsdShade, UsdSkel, UsdUti
 
 from ...model import Behavior, FloatArray
 from ...model.figure import PLAIN, Looks
-from ...model.formats.motion_formats import AudioFile
+from ...model.formats import AudioFile
 from ..body.motion import SHAPES, Motion
 from ..body.skeleton import Skeleton
 from ..geometry.rotations import with_continuous_signs

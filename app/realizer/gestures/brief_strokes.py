@@ -2,7 +2,7 @@
 
 The paper does not time-warp strokes and drops a gesture that has no time (§3.8). People whose ideas crowd make less of
 each: here a brief stroke begins nearer to where it ends and is no faster, so that hands have no more to do than
-in a whole one. How much is left is in `understudy.model.limits.gesture_limits`, by which schedules are made.
+in a whole one. How much is left is in `understudy.model.limits`, by which schedules are made.
 
 A gesture's clip in the manner of the voice: faster or slower, and more or less tense.
 
@@ -13,7 +13,7 @@ Speed shortens or lengthens the stroke and what goes before and after it alike; 
 from dataclasses import replace
 
 from ...model import Hand, Manner
-from ...model.limits.gesture_limits import brief_share
+from ...model.limits import brief_share
 from .gesture import ArmKey, Clip, ClipKey, Expressivity, Markers, SectorPlace
 from .gesture_space import sector_m
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from math import inf
 
 from ...model import Hand, Level, Manner, SyncPoints
-from ...model.limits.gesture_limits import playable_size
+from ...model.limits import playable_size
 from ...model.schedule import Way
 from ...model.slots import Slots
 from ..body.motion import Decision
@@ -117,7 +117,7 @@ class PlacedGesture:
     @property
     def size(self) -> float:
         """The requested size, reduced where the stroke would be too fast, and then scaled: if all gestures are scaled
-        alike, none needs more time to come from another than it did (`understudy.model.limits.gesture_limits`)."""
+        alike, none needs more time to come from another than it did (`understudy.model.limits`)."""
         return self.request.scale * playable_size(self.request.size, self.clip.stroke_speed_m_s)
 
     @property

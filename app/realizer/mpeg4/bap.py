@@ -27,7 +27,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ...model import FloatArray
-from ...model.formats.motion_formats import BapVersion
+from ...model.formats import BapVersion
 from ..body.motion import Motion
 from ..body.skeleton import Skeleton
 from .layout import (

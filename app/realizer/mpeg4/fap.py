@@ -21,7 +21,7 @@ from scipy.spatial.transform import Rotation
 
 from ...errors import AuthoringError, did_you_mean
 from ...model import FloatArray
-from ...model.formats.motion_formats import BapVersion
+from ...model.formats import BapVersion
 from ...yaml_files import Source
 from ..body.motion import SHAPES, BodyMotion, Motion
 from ..body.skeleton import Skeleton

@@ -8,7 +8,7 @@ from itertools import product
 from types import MappingProxyType
 
 from ...model import FloatArray, Hand, Level
-from ...model.limits.gesture_limits import ArmEnds, Forms, GestureForm, GestureTable, Offset
+from ...model.limits import ArmEnds, Forms, GestureForm, GestureTable, Offset
 from ..arms.wrist_paths import relax_m, stroke_end_m, stroke_start_m
 from ..gestures.gesture import Clip, Depth, HeightSector, SectorPlace, Sideways
 from ..gestures.gesture_plan import GestureRequest

@@ -2,7 +2,7 @@
 
 Gestures are processed in order of their strokes. Of two that overlap the one with the lower priority is dropped, and of
 equals the later one. For a transition that is too fast another clip of the category is tried first. What is too fast is
-in `understudy.model.limits.gesture_limits`, by which our own schedules are made: conflicts come from edited or foreign
+in `understudy.model.limits`, by which our own schedules are made: conflicts come from edited or foreign
 BML.
 """
 
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from itertools import tee
 
 from ...model import Hand
-from ...model.limits.gesture_limits import shortest_transition_s
+from ...model.limits import shortest_transition_s
 from ..body.motion import Decision
 from ..gestures.gesture_plan import PlacedGesture
 from .rests import shortest_way_s

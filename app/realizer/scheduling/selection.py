@@ -17,7 +17,7 @@ from typing import Protocol
 import numpy as np
 
 from ...model import Behavior, Channel, Hand, Level, Schedule, SyncPoints
-from ...model.limits.gesture_limits import LATEST_S, is_brief, size_of
+from ...model.limits import LATEST_S, is_brief, size_of
 from ..body.motion import Decision
 from ..gestures.brief_strokes import brief, mannered
 from ..gestures.gesture import Clip

@@ -16,7 +16,7 @@ import numpy as np
 
 from ...model import Hand, Interval, Level
 from ...model.figure import Wait
-from ...model.limits.gesture_limits import SLOWEST_STROKE_M_S, equal_transition_s
+from ...model.limits import SLOWEST_STROKE_M_S, equal_transition_s
 from ..arms.rest_poses import waiting_pose
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
 from ..body.movement_style import PLAIN, MovementStyle

@@ -16,8 +16,7 @@ from ...errors import InputError, UndecodableError
 from ...model import Agitation, Hand, Interval, Level, Notice, Parse, Performance, Phone, Utterance, Word
 from ...profiles.annotation.model import PathForm, Position, Swivel
 from ...profiles.annotation.spans import DEPTHS, HEIGHTS, SIDEWAYS
-from ...profiles.generation.behaviors import behaviors_of
-from ...profiles.generation.script import GestureScript, ScriptedGesture, ScriptedUnit
+from ...profiles.generation.script import GestureScript, ScriptedGesture, ScriptedUnit, behaviors_of
 from ...realizer.gestures.offset_tracks import track_of
 from ..options import Seed
 

@@ -12,7 +12,7 @@ import soundfile
 from ...errors import UndecodableError
 from ...library.motion import PreparedSchedule, RealizedSchedule, realize_prepared, write_realized
 from ...model import Schedule
-from ...model.formats.motion_formats import MotionFormat
+from ...model.formats import MotionFormat
 from ...models import Understudy
 
 FRAME_RATE_HZ = 30

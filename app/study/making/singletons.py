@@ -22,9 +22,8 @@ from ...library.motion import PreparedSchedule, RealizedSchedule
 from ...library.performing import perform_analysis, perform_line
 from ...model import Behavior, Channel, Interval, Mode, Performance, SyncPoints
 from ...models import Understudy
-from ...profiles.generation.phases import TimedStrokes
+from ...profiles.generation.phases import TimedStrokes, bounds_of
 from ...profiles.generation.script import GestureScript, ScriptedGesture
-from ...profiles.generation.units import bounds_of
 from ...profiles.profile import Profile
 from ...realizer.scheduling.rests import POSTURES
 from ..comparison import SINGLETONS, UNITS

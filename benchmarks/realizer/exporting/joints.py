@@ -27,7 +27,7 @@ from scipy.spatial.transform import Rotation
 from tests.support.motion.mpeg4_reading import Body, read_parameters, world
 from understudy.errors import ServiceError
 from understudy.model import FloatArray, Line
-from understudy.model.formats.motion_formats import AudioFile, FileOptions, MotionFormat
+from understudy.model.formats import AudioFile, FileOptions, MotionFormat
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform

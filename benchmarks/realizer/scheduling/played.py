@@ -20,7 +20,7 @@ from itertools import product
 from pathlib import Path
 
 from understudy.model import Agitation, Analysis, Channel, Level, Line, Mode
-from understudy.model.limits.gesture_limits import EASY_TRANSITION_S
+from understudy.model.limits import EASY_TRANSITION_S
 from understudy.models import Understudy, load_gestures
 from understudy.options import Options
 from understudy.performance import analyze, perform_analysis

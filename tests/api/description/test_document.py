@@ -18,7 +18,7 @@ from understudy.api.description.operations import AUTHORING_OPERATIONS, LIVE_MES
 from understudy.api.problems import CODES, Problem
 from understudy.api.routes import router
 from understudy.model import Level, Mode
-from understudy.model.formats.bml_form import DialectName, TimeForm
+from understudy.model.formats import DialectName, TimeForm
 from understudy.realizer.exporting.clip_json import to_clip_json
 from understudy.realizer.exporting.retargeting import load_rigs
 from understudy.resources import resource_folder

@@ -10,7 +10,7 @@ from understudy.batch.planning import plan_batch
 from understudy.batch.reports.dry_run import dry_run
 from understudy.batch.request import BatchRequest
 from understudy.batch.work.formats import LineFormat
-from understudy.model.formats.motion_formats import MotionFormat
+from understudy.model.formats import MotionFormat
 
 from ...support.words.voice_scripts import SCREENPLAY, SHEET, acts
 

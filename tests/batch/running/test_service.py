@@ -22,8 +22,7 @@ from understudy.batch.work.performing import perform_job
 from understudy.errors import InputError
 from understudy.model import Channel, DirectedMoment, Direction, Target
 from understudy.model.edits import BehaviorEdit, Edits, WordReference
-from understudy.model.formats.bml_form import BmlForm, DialectName
-from understudy.model.formats.motion_formats import MotionFormat
+from understudy.model.formats import BmlForm, DialectName, MotionFormat
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.profiles.annotation.reading import read_annotations

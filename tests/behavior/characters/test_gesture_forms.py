@@ -9,7 +9,7 @@ from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.scheduling import schedule
 from understudy.errors import InputError
 from understudy.model import Channel, Hand, Level
-from understudy.model.limits.gesture_limits import ArmEnds, GestureForm, GestureTable
+from understudy.model.limits import ArmEnds, GestureForm, GestureTable
 
 ENDS = ArmEnds((0.0, 0.0, 0.0), (0.3, 0.0, 0.0), (0.3, 0.0, 0.0))
 SHORT, LONG = (GestureForm(0.3, after_s, 0.6, {Hand.RIGHT: ENDS}) for after_s in (0.1, 0.2))

@@ -11,7 +11,7 @@ from understudy.behavior.idle.saccades import TALKING
 from understudy.behavior.reading.player import Ban
 from understudy.behavior.timing.anchoring import asked
 from understudy.model import Behavior, Channel, Interval
-from understudy.model.tables.lexemes import GLANCE, LOOK
+from understudy.model.tables import GLANCE, LOOK
 
 DEFAULT = Characters.load(Path(__file__).resolve().parents[3] / "lexicon").named("default")
 WORDS = spoken(" ".join(["word"] * 60), start_s=0.0)

@@ -17,7 +17,7 @@ from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform
 from understudy.profiles.annotation.reading import read_annotations
-from understudy.profiles.generation.behaviors import RESTS, STANCES
+from understudy.profiles.generation.script import RESTS, STANCES
 from understudy.profiles.learning.learning import learn
 from understudy.profiles.profile import HeadHabit, Profile, RestHabit
 from understudy.realizer.scheduling.rests import POSTURES

@@ -5,7 +5,7 @@ import pytest
 from tests.support.shared_data import MOTION_PAGE, needs
 from understudy.behavior.speech.visemes import LEAST_ARTICULATION, visemes
 from understudy.model import Interval, Phone, Viseme, Word
-from understudy.model.tables.mouth_shapes import OPENINGS, PHONES, SILENCE
+from understudy.model.tables import OPENINGS, PHONES, SILENCE
 
 FIFTEEN = ["sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "I", "O", "U"]
 """motion.md, "Visemes"."""

@@ -10,8 +10,8 @@ from understudy.behavior.timing.anchoring import PlacedBehavior
 from understudy.behavior.timing.conflicts import compete, resolve
 from understudy.behavior.timing.phases import Placing, Window, placed
 from understudy.model import Behavior, Channel, Hand
-from understudy.model.limits.gesture_limits import ArmEnds, GestureForm
-from understudy.model.tables.lexemes import GLANCE, LOOK
+from understudy.model.limits import ArmEnds, GestureForm
+from understudy.model.tables import GLANCE, LOOK
 
 GESTURE = Timing(PhaseDuration(0.2, 0.4), PhaseDuration(0.2, 0.4), PhaseDuration(0.0, 1.0), PhaseDuration(0.0, 0.5))
 NOD = Timing(

@@ -5,7 +5,7 @@ from understudy.behavior.timing.anchoring import PlacedBehavior
 from understudy.behavior.timing.phases import Placing, Window, placed
 from understudy.behavior.timing.transitions import SHORTEST_HOLD_S, eased
 from understudy.model import Behavior, Channel, Hand
-from understudy.model.limits.gesture_limits import ArmEnds, GestureForm
+from understudy.model.limits import ArmEnds, GestureForm
 
 TIMING = Timing(PhaseDuration(0.2, 0.2), PhaseDuration(0.5, 0.5), PhaseDuration(0.0, 2.0), PhaseDuration(0.0, 0.0))
 RIGHT = GestureForm(0.3, 0.2, 0.6, {Hand.RIGHT: ArmEnds((0.0, 0.0, 0.0), (0.3, 0.0, 0.0), (0.3, 0.0, 0.0))})

@@ -13,7 +13,7 @@ from understudy.bml.markup.documents import Document, Element, Reference
 from understudy.bml.markup.speech import FIRST_MOMENT_S, time_formatter
 from understudy.bml.writing.writer import to_document, write_bml
 from understudy.model import SyncPoints
-from understudy.model.formats.bml_form import BmlForm, TimeForm
+from understudy.model.formats import BmlForm, TimeForm
 
 SYNC = BmlForm(timing=TimeForm.SYNC)
 STROKE = SyncPoints(start=1.3, ready=1.45, stroke_start=1.5, stroke=1.6, stroke_end=1.7, relax=2.0, end=3.25)

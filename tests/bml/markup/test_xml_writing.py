@@ -18,7 +18,7 @@ from understudy.bml.markup.documents import (
 from understudy.bml.markup.elements import BML_CORE, CORE, SMARTBODY, Attribute, Dialect, ElementKind, ValueKind
 from understudy.bml.markup.xml_writing import to_xml
 from understudy.bml.reading.reader import read_bml
-from understudy.model.formats.bml_form import DialectName
+from understudy.model.formats import DialectName
 
 CHARACTERS = st.characters(exclude_categories=["Cs", "Cc"], exclude_characters="\ufffe\uffff")
 TEXTS = st.text(CHARACTERS, max_size=8).map(lambda text: f"a{text}")

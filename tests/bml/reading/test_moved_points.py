@@ -13,7 +13,7 @@ from understudy.bml.reading.resolving import resolve
 from understudy.bml.writing.writer import write_bml
 from understudy.errors import WrongBmlError
 from understudy.model import Behavior, Channel, Notice, Performance, SyncPoints
-from understudy.model.formats.bml_form import BmlForm, TimeForm
+from understudy.model.formats import BmlForm, TimeForm
 
 STROKE = SyncPoints(start=2.0, ready=2.45, stroke_start=2.5, stroke=2.8, stroke_end=3.0, relax=3.4, end=3.9)
 PEAK = SyncPoints(start=2.0, ready=2.2, relax=2.6, end=2.9)

@@ -11,7 +11,7 @@ from understudy.bml.reading.reader import read_bml
 from understudy.bml.reading.resolving import resolve
 from understudy.errors import WrongBmlError
 from understudy.model import Channel, Notice
-from understudy.model.formats.bml_form import DialectName
+from understudy.model.formats import DialectName
 
 ACT = """<?xml version="1.0"
   encoding="UTF-8"?>

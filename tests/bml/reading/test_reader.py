@@ -10,7 +10,7 @@ from understudy.bml.markup.parsing import ReadingLimits
 from understudy.bml.markup.xml_writing import to_xml
 from understudy.bml.reading.reader import MOST_MISTAKES, read_bml
 from understudy.errors import TooLargeError, WrongBmlError
-from understudy.model.formats.bml_form import DialectName
+from understudy.model.formats import DialectName
 
 FILES = sorted(path.stem for path in BML_SUITE.glob("*.xml"))
 needs_suite = needs(BML_SUITE)

@@ -14,7 +14,7 @@ from understudy.bml.reading.resolving import ResolvedDocument, resolve
 from understudy.bml.writing.writer import write_bml
 from understudy.errors import WrongBmlError
 from understudy.model import Behavior, Channel, Interval, Level, Word
-from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm
+from understudy.model.formats import BmlForm, DialectName, TimeForm
 
 CORE = 'xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b" characterId="c"'
 

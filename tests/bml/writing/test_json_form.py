@@ -15,7 +15,7 @@ from understudy.bml.markup.documents import (
     Value,
 )
 from understudy.bml.writing.writer import to_document, to_json
-from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm
+from understudy.model.formats import BmlForm, DialectName, TimeForm
 
 PAGE = (ROOT / "docs" / "bml-json.md").read_text()
 SCHEMA = json.loads(re.findall(r"```json\n(.*?)```", PAGE, re.DOTALL)[0])

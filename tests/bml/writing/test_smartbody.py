@@ -24,8 +24,8 @@ from understudy.bml.writing.writer import (
     write_speech_file,
 )
 from understudy.model import Agitation, Behavior, Channel, Hand, Level, Listening, Performance, Target, Word
-from understudy.model.formats.bml_form import BmlForm, DialectName, TimeForm, VisemeNames
-from understudy.model.tables.lexemes import ACTION_UNITS, CORE_LEXEMES
+from understudy.model.formats import BmlForm, DialectName, TimeForm, VisemeNames
+from understudy.model.tables import ACTION_UNITS, CORE_LEXEMES
 
 FORM = BmlForm(dialect=DialectName.SMARTBODY, audio_file="line1.wav")
 TYPES = {name for name, _hand, _style in FOUND}

@@ -6,8 +6,8 @@ import pytest
 
 from understudy.bml.writing.smartbody_tables import FILE, SmartBodyTables
 from understudy.errors import AuthoringError
-from understudy.model.formats.bml_form import VisemeNames
-from understudy.model.tables.mouth_shapes import PHONES
+from understudy.model.formats import VisemeNames
+from understudy.model.tables import PHONES
 from understudy.resources import resource_folder
 
 SHIPPED = (resource_folder("lexicon") / FILE).read_text(encoding="utf-8")

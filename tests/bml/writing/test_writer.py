@@ -13,8 +13,8 @@ from understudy.behavior.table.behavior_table import STROKED
 from understudy.bml.markup.elements import CORE, CORE_EXTENSIONS
 from understudy.bml.writing.writer import write_bml
 from understudy.model import Behavior, Channel, Hand, Performance, SyncPoints, Word
-from understudy.model.formats.bml_form import BmlForm
-from understudy.model.tables.lexemes import GAZE_LEXEMES
+from understudy.model.formats import BmlForm
+from understudy.model.tables import GAZE_LEXEMES
 
 ROOT = Path(__file__).resolve().parents[3]
 CHARACTERS = Characters.load(ROOT / "lexicon")

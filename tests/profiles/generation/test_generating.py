@@ -9,10 +9,9 @@ import pytest
 from tests.support.words.scripted import habit, line, profile, repertoire
 from understudy.model import Interval
 from understudy.profiles.annotation.model import TaggedWords
-from understudy.profiles.generation.behaviors import behaviors_of
+from understudy.profiles.generation.candidates import ClosedWords
 from understudy.profiles.generation.generating import Speaker, generate
-from understudy.profiles.generation.repertoire import ClosedWords
-from understudy.profiles.generation.script import GestureScript
+from understudy.profiles.generation.script import GestureScript, behaviors_of
 
 TEXT = "one two three four five six seven eight nine ten"
 EVERY_WORD = [TaggedWords("x", word, word) for word in range(10)]

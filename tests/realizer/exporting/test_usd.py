@@ -14,7 +14,7 @@ from pxr import Usd, UsdGeom, UsdMedia, UsdShade, UsdSkel, UsdValidation
 
 from tests.support.motion.hand_made_motion import BODY, waving
 from understudy.model import Behavior, Channel, FloatArray, SyncPoints
-from understudy.model.formats.motion_formats import AudioFile
+from understudy.model.formats import AudioFile
 from understudy.realizer.body.motion import SHAPES, Motion
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.exporting.usd import ROOT, UsdForm, to_usd

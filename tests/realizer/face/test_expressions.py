@@ -7,7 +7,7 @@ import pytest
 
 from tests.support.words.speaking import SKELETON, TABLES, faced, shape, shown, still, times
 from understudy.model import Channel, Schedule, SyncPoints
-from understudy.model.tables.lexemes import ACTION_UNITS, CORE_LEXEMES
+from understudy.model.tables import ACTION_UNITS, CORE_LEXEMES
 from understudy.realizer.face.expressions import LEAST_RISE_S, realized_faces, unknown_faces
 from understudy.realizer.face.face import ASYMMETRY, face_weights
 from understudy.realizer.face.face_tables import INDEX

@@ -7,7 +7,7 @@ import pytest
 
 from tests.support.motion.gesture_clips import clip
 from understudy.model import Hand, Level, Manner
-from understudy.model.limits.gesture_limits import brief_share
+from understudy.model.limits import brief_share
 from understudy.models import load_gestures
 from understudy.realizer.arms.wrist_paths import relax_m, stroke_end_m, stroke_start_m
 from understudy.realizer.gestures.brief_strokes import brief, mannered

@@ -7,7 +7,7 @@ from scipy.spatial.transform import Rotation
 from tests.support.motion.hand_made_motion import BODY, X, Y, Z, turned, waving
 from tests.support.motion.mpeg4_reading import COLUMNS, RAD, Body, greta_world, read_parameters, world
 from understudy.model import Behavior, Channel, Hand, Schedule, SyncPoints
-from understudy.model.formats.motion_formats import BapVersion
+from understudy.model.formats import BapVersion
 from understudy.models import load_realizer
 from understudy.realizer.body.motion import BodyMotion, Motion
 from understudy.realizer.geometry.rotations import from_axis_angle

@@ -9,7 +9,7 @@ import pytest
 from tests.support.motion.hand_made_motion import BODY, X, Y, Z, turned, waving
 from tests.support.motion.mpeg4_reading import read_parameters
 from understudy.errors import AuthoringError, InputError
-from understudy.model.formats.motion_formats import BapVersion
+from understudy.model.formats import BapVersion
 from understudy.realizer.body.motion import SHAPES, Motion
 from understudy.realizer.face.face_tables import VISEMES
 from understudy.realizer.geometry.rotations import from_axis_angle

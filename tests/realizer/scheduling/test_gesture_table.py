@@ -15,7 +15,7 @@ from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.scheduling import schedule
 from understudy.behavior.idle.stillness import stilled
 from understudy.model import Channel, Hand, Level, Schedule
-from understudy.model.limits.gesture_limits import equal_transition_s, shortest_transition_s, transition_times
+from understudy.model.limits import equal_transition_s, shortest_transition_s, transition_times
 from understudy.models import load_gesture_table, load_gestures
 from understudy.realizer.scheduling.gesture_table import gesture_table
 from understudy.realizer.scheduling.planning import plan_gestures

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from tests.support.motion.gesture_clips import MARKERS, HandMade, clip, gesture, library
 from understudy.model import Behavior, Channel, Hand, Interval, Schedule, SyncPoints
-from understudy.model.limits.gesture_limits import LATEST_S
+from understudy.model.limits import LATEST_S
 from understudy.realizer.arms.wrist_paths import distance_m, stroke_start_m
 from understudy.realizer.gestures.gesture import Expressivity, Markers
 from understudy.realizer.gestures.gesture_plan import GesturePlan

@@ -7,7 +7,7 @@ import pytest
 from tests.support.motion.gesture_clips import clip, gesture
 from understudy.model import Hand, Interval, Schedule
 from understudy.model.figure import Wait
-from understudy.model.limits.gesture_limits import EASY_TRANSITION_S, SLOWEST_STROKE_M_S, TOP_STROKE_SPEED_M_S
+from understudy.model.limits import EASY_TRANSITION_S, SLOWEST_STROKE_M_S, TOP_STROKE_SPEED_M_S
 from understudy.realizer.body.movement_style import MovementStyle, Waits
 from understudy.realizer.gestures.gesture import Clip
 from understudy.realizer.gestures.gesture_plan import PlacedGesture

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 from understudy.model import Hand, Interval, Parse, Token, Utterance, Word
-from understudy.model.limits.gesture_limits import ArmEnds, GestureForm
-from understudy.profiles.generation.repertoire import PlayableGesture, Repertoire
+from understudy.model.limits import ArmEnds, GestureForm
+from understudy.profiles.generation.candidates import PlayableGesture, Repertoire
 from understudy.profiles.profile import (
     LexemeHabit,
     PhaseHabit,

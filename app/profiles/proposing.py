@@ -1,25 +1,88 @@
-"""Phases of a motion by the speed of the wrists: movements between minima, holds where they stand, rests where they
-stay.
+"""Proposes phases, phrases and units as tracks of an annotation, from the motion in a BVH file and beside the words if
+they are known.
 
-A hand is at rest where it is near the place in which it is still for the longest time. A unit is a stretch in which a
+Phases are found by the speed of the wrists: movements between minima, holds where they stand, rests where they stay. A
+hand is at rest where it is near the place in which it is still for the longest time. A unit is a stretch in which a
 hand is away from rest. Its movements are parted at the minima of the speed; the first is the preparation, the last the
 retraction, what lies between strokes. A stroke after a long hold begins a phrase, as does one that is larger than the
-one before it; others are after-strokes. People correct it: the numbers are ours, and coarse. Times are seconds, speeds
-metres a second.
+one before it; others are after-strokes. People correct it: the numbers are ours, and coarse.
+
+A lexeme cannot be told from speeds: every phrase is called `UNKNOWN`, which learning refuses until somebody has named
+it. Its affiliate is proposed as the word in whose time its main stroke ends.
+
+Conventions: seconds, metres, metres a second, Y up; positions are in the frame of the root, so that walking and turning
+move nobody's hands. A file in centimetres is known by the length of its skeleton. Joints are known by their names,
+whatever the rig.
 """
 
-from collections.abc import Iterator, Sequence
+import re
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 from scipy.signal import argrelmin
 
-from ...model import FloatArray, Interval
-from ..annotation.model import Phase, PhaseKind
-from .bvh import WristPaths
+from ..bvh import Bvh, read_bvh
+from ..errors import InputError
+from ..model import FloatArray, Interval
+from .annotation.mistakes import AnnotationError, AnnotationMistake
+from .annotation.model import Phase, PhaseKind
+from .annotation.tracks import Track, TrackSpan
+
+WRISTS = {
+    "left": re.compile(r"(l|left)[_.]?(wrist|hand)|(wrist|hand)[_.]?(l|left)"),
+    "right": re.compile(r"(r|right)[_.]?(wrist|hand)|(wrist|hand)[_.]?(r|right)"),
+}
+"""The names of the wrists without what stands before a colon, in small letters."""
+
+TALLEST_M = 4.0
+"""A skeleton whose bones are longer together is in centimetres."""
+CENTIMETRE_M = 0.01
+
+
+@dataclass(frozen=True, slots=True)
+class WristPaths:
+    """The wrists' positions (T, 3) from the root, and the frames a second."""
+
+    frame_rate_hz: float
+    left_m: FloatArray
+    right_m: FloatArray
+
+
+def read_wrists(content: bytes, path: Path) -> WristPaths:
+    """The wrists of a file; raises AnnotationError for a file that is not BVH or has no known wrists."""
+    try:
+        bvh = read_bvh(content, "it")
+    except InputError as error:
+        raise AnnotationError([AnnotationMistake(path, error.message.removeprefix("it: "))]) from None
+    places = [_place(bvh, side, path) for side in ("left", "right")]
+    long = sum(float(np.abs(joint.offset).max()) for joint in bvh.joints[1:]) > TALLEST_M
+    left, right = ((CENTIMETRE_M if long else 1.0) * _path(bvh, place) for place in places)
+    return WristPaths(1 / bvh.frame_s, left, right)
+
+
+def _place(bvh: Bvh, side: str, path: Path) -> int:
+    for place, joint in enumerate(bvh.joints):
+        if WRISTS[side].fullmatch(joint.name.rpartition(":")[2].lower().removeprefix("b_")):
+            return place
+    names = ", ".join(joint.name for joint in bvh.joints[:60])
+    raise AnnotationError([AnnotationMistake(path, f"no joint is called {side} hand or wrist; there are {names}")])
+
+
+def _path(bvh: Bvh, place: int) -> FloatArray:
+    """The positions (T, 3) of a joint in the frame of the root."""
+    position = np.zeros((len(bvh.values), 3))
+    while bvh.joints[place].parent >= 0:
+        position = position + bvh.joints[place].offset
+        place = bvh.joints[place].parent
+        if bvh.joints[place].parent >= 0:
+            position = np.einsum("tij,tj->ti", bvh.rotations(place), position)
+    return position
+
 
 SMOOTHED_S = 0.05
 STILL_M_S = 0.12
@@ -173,3 +236,46 @@ def _phrase(
 
 def _interval(first: int, last: int, rate_hz: float) -> Interval:
     return Interval(round(first / rate_hz, 3), round(last / rate_hz, 3))
+
+
+UNKNOWN = "UNKNOWN"
+
+
+def proposed_tracks(units: Iterable[ProposedUnit], others: Iterable[Track] = ()) -> tuple[Track, ...]:
+    """The tracks of an annotation; `others`, such as words and tags, stand before what is proposed."""
+    found, known = tuple(units), tuple(others)
+    words = next((track.spans for track in known if track.name == "words"), ())
+    phrases = [phrase for unit in found for phrase in unit.phrases]
+    phases = sorted(_phases(found), key=lambda span: span.start_s)
+    return (
+        *(known or (Track("words", ()),)),
+        Track("phases", tuple(phases)),
+        Track("phrases", tuple(_phrase_span(phrase, words) for phrase in phrases)),
+        Track("units", tuple(_unit_span(unit) for unit in found)),
+    )
+
+
+def _phases(units: Iterable[ProposedUnit]) -> Iterator[TrackSpan]:
+    for unit in units:
+        for phase in (*(each for phrase in unit.phrases for each in phrase.phases), unit.retraction):
+            yield TrackSpan(phase.interval.start_s, phase.interval.end_s, phase.kind.value)
+
+
+def _phrase_span(phrase: ProposedPhrase, words: tuple[TrackSpan, ...]) -> TrackSpan:
+    hand = "2H" if phrase.left and phrase.right else "LH" if phrase.left else "RH"
+    main = next(phase.interval for phase in phrase.phases if phase.kind is PhaseKind.STROKE)
+    meant = [number for number, word in enumerate(words) if word.start_s <= main.end_s]
+    affiliate = {"affiliate": str(meant[-1])} if meant else {}
+    span = _around(phase.interval for phase in phrase.phases)
+    return TrackSpan(span.start_s, span.end_s, UNKNOWN, {"hand": hand, **affiliate})
+
+
+def _unit_span(unit: ProposedUnit) -> TrackSpan:
+    phases = [phase.interval for phrase in unit.phrases for phase in phrase.phases]
+    span = _around([*phases, unit.retraction.interval])
+    return TrackSpan(span.start_s, span.end_s, "")
+
+
+def _around(intervals: Iterable[Interval]) -> Interval:
+    found = list(intervals)
+    return Interval(min(each.start_s for each in found), max(each.end_s for each in found))

@@ -7,8 +7,7 @@ import pytest
 
 from tests.support.words.scripted import habit, profile
 from understudy.model import Interval
-from understudy.profiles.generation.phases import TimedStrokes
-from understudy.profiles.generation.units import joined
+from understudy.profiles.generation.phases import TimedStrokes, joined
 from understudy.profiles.profile import Profile, UnitHabit
 
 

@@ -11,9 +11,7 @@ from understudy.profiles.annotation.elan import write_elan
 from understudy.profiles.annotation.mistakes import AnnotationError
 from understudy.profiles.annotation.reading import annotation_of, read_annotations
 from understudy.profiles.annotation.tracks import Track, TrackSpan, rows_of, with_attribute_tracks
-from understudy.profiles.proposing.bvh import WristPaths, read_wrists
-from understudy.profiles.proposing.phases import proposed_units
-from understudy.profiles.proposing.proposing import UNKNOWN, proposed_tracks
+from understudy.profiles.proposing import UNKNOWN, WristPaths, proposed_tracks, proposed_units, read_wrists
 from understudy.realization import MotionFormat, RealizedSchedule, write_motion
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.realizing import realize

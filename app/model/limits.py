@@ -6,16 +6,21 @@ played. `GestureTable` has what the scheduler needs of the gesture library; the 
 
 Conventions: seconds, metres, metres per second. Wrist positions are offsets from the centre of gesture space, seen from
 the arm's own side, for a gesture of usual size; a gesture's size multiplies them.
+
+Limits on the motion in one response. All but that on bytes are checked before any motion is computed.
 """
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import product
 from math import dist, sqrt
 
-from ..body import Hand
-from ..figure import GestureManner
-from ..voice.speech import Level
+from ..errors import InputError
+from .body import Hand
+from .figure import GestureManner
+from .schedule import Schedule
+from .voice.speech import Level
 
 USUAL_AMOUNT = 0.5
 """The amount of a gesture of usual size."""
@@ -192,3 +197,33 @@ def _ways(first: Forms, second: Forms, amounts: tuple[float | None, float | None
             from_m = [sizes[0] * offset for offset in before.arms[arm].relax]
             to_m = [sizes[1] * offset for offset in after.arms[arm].stroke_start]
             yield dist(from_m, to_m), after.speed_m_s(amounts[1])
+
+
+@dataclass(frozen=True, slots=True)
+class MotionLimits:
+    """The most behaviours, seconds, frames and bytes of a motion."""
+
+    behaviors: int = 1000
+    duration_s: float = 150.0
+    frames: int = 9000
+    content_bytes: int = 32 << 20
+
+    def check_count(self, behaviors: int) -> None:
+        """Raises InputError `motion_too_large` for too many behaviours, before their times are known."""
+        self._check("behaviours", behaviors, self.behaviors)
+
+    def check(self, schedule: Schedule, *, frame_rate_hz: int, tail_s: float = 0.0) -> None:
+        """Raises InputError `motion_too_large` with the limit that the schedule exceeds."""
+        end_s = max([schedule.duration_s, *(behavior.sync.end for behavior in schedule.behaviors)]) + tail_s
+        self.check_count(len(schedule.behaviors))
+        self._check("seconds", end_s, self.duration_s)
+        self._check("frames", math.ceil(end_s * frame_rate_hz), self.frames)
+
+    def check_content(self, content: bytes) -> None:
+        """Raises InputError `motion_too_large` for too many bytes."""
+        self._check("bytes", len(content), self.content_bytes)
+
+    def _check(self, what: str, count: float, most: float) -> None:
+        if count > most:
+            message = f"the motion would have {count:,.10g} {what}; at most {most:,.10g} are answered"
+            raise InputError("motion_too_large", message, field="bml")

@@ -4,7 +4,7 @@ from math import log
 
 import pytest
 
-from understudy.profiles.probabilities import chosen_strength, folds_of, log_probability, shares_of, smoothed
+from understudy.profiles.learning.tables import chosen_strength, folds_of, log_probability, shares_of, smoothed
 
 
 def test_a_prior_is_worth_so_many_observations() -> None:

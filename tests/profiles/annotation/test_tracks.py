@@ -2,7 +2,7 @@
 
 import random
 
-from understudy.profiles.annotation.in_time import InTime
+from understudy.profiles.annotation.tracks import InTime
 
 
 def test_a_look_at_each_finds_the_same() -> None:

@@ -1,1 +1,0 @@
-"""The forms in which results are written: BML, and files of motion."""

@@ -1,1 +1,0 @@
-"""Limits that several stages share."""

@@ -1,1 +1,0 @@
-"""A first annotation of a motion."""
