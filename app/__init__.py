@@ -157,7 +157,7 @@ else:
     _HOMES = (
         "errors",
         "model",
-        "model.formats.bml_form",
+        "model.formats",
         "model.voice.signal",
         "models",
         "settings",

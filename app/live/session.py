@@ -16,13 +16,12 @@ from ..model import Affect, Behavior, FloatArray, Word
 from ..motion_models.playing import UnitPlayer
 from ..options import Options
 from .agenda import REMEMBERED_S, WORDED, Agenda, Placer
-from .attention import Attention
 from .body import BodyFrame, BodyRequest, LiveBody, Performing
 from .ear import Ear, RecentVoice, RunningFeeling
 from .messages import LiveMessage, LiveOptions, MouthMessage, PhraseMessage
 from .models import LiveModels
 from .mouth import MouthShape, StreamingMouth
-from .movements import LiveEvent, LiveEvents, Movements
+from .movements import Attention, LiveEvent, LiveEvents, Movements
 from .words import PerformedPhrase, TimedText, paced_words, perform_words, timed_words
 
 MOST_AHEAD_S = 120.0
