@@ -14,9 +14,8 @@ from ..realization import PreparedSchedule
 from ..realizer.arms.plausibility import Doubt, doubts
 from ..realizer.body.proportions import Proportions
 from ..realizer.body.skeleton import Skeleton
-from ..realizer.gestures.clips import clip
 from ..realizer.gestures.gesture import Clip, Definition
-from ..realizer.gestures.library import SUFFIX, Library, gesture_files, parse_definitions, read_definitions
+from ..realizer.gestures.library import SUFFIX, Library, clip, gesture_files, parse_definitions, read_definitions
 from ..realizer.realizing import Realizer
 from .catalogue import load_characters, load_gestures, shown_path
 
@@ -163,7 +162,7 @@ def draw_characters(names: Sequence[str]) -> tuple[bytes, int]:
 
     Raises InputError `unknown_character`.
     """
-    from ..realizer.pictures.characters import draw_characters as drawn  # matplotlib, an extra
+    from ..realizer.pictures.contact_sheet import draw_characters as drawn  # matplotlib, an extra
 
     characters = load_characters()
     figures = {name: characters.named(name).figure for name in names or characters.by_name}

@@ -23,7 +23,7 @@ import numpy as np
 from ..errors import InputError
 from ..model import FloatArray
 from ..prosody_gestures.semi_markov import FRAME_S, IntArray, Segment
-from ..realizer.geometry.easing import minimum_jerk
+from ..realizer.geometry.curves import minimum_jerk
 from ..realizer.geometry.rotations import (
     from_rotation_vector,
     inverse,

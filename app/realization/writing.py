@@ -13,16 +13,14 @@ from ..editorial.timeline import to_otio
 from ..model import FloatArray
 from ..model.formats import EDITORIAL, SCENES, AudioFile, FileOptions, Keys, MotionFormat
 from ..realizer.avatars.avatar import to_avatar_glb
-from ..realizer.exporting.arkit_csv import to_arkit_csv
 from ..realizer.exporting.bvh import to_bvh
 from ..realizer.exporting.clip_json import to_clip_json
 from ..realizer.exporting.extras import require_usd
+from ..realizer.exporting.face_lists import to_arkit_csv, to_viseme_text
 from ..realizer.exporting.fbx import to_fbx
 from ..realizer.exporting.glb import to_glb
-from ..realizer.exporting.viseme_list import to_viseme_text
 from ..realizer.exporting.vrma import to_vrma
-from ..realizer.face.diphthongs import with_glides
-from ..realizer.face.lips import viseme_weights
+from ..realizer.face.lips import viseme_weights, with_glides
 from ..realizer.mpeg4.bap import to_bap
 from ..realizer.mpeg4.fap import TABLE, FapTable, to_fap
 from ..realizer.pictures.contact_sheet import draw_sheet, moments_of

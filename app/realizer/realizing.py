@@ -31,17 +31,14 @@ from .gestures.library import Library
 from .head_and_gaze.accompanying import accompanying_looks, with_looks
 from .head_and_gaze.gaze import apply_gaze, eyes_in_t_pose_m
 from .head_and_gaze.gaze_targets import LISTENER, LISTENER_M, Position
-from .head_and_gaze.head import apply_head_movements
-from .head_and_gaze.head_movements import realized_heads
+from .head_and_gaze.head import apply_head_movements, realized_heads
 from .physics.tracking import with_physics
 from .scheduling.deviations import timing_deviations, unplayable_behaviors
 from .scheduling.gesture_controller import accents_of, apply_gestures
 from .scheduling.planning import plan_gestures
-from .torso.aimed_arms import with_aimed_arms
-from .torso.hanging import with_hanging_arms
 from .torso.idle import idle_motion
-from .torso.shoulders_and_neck import with_neck_reaching, with_shrugs
 from .torso.steps import with_steps
+from .torso.upper_body import with_aimed_arms, with_hanging_arms, with_neck_reaching, with_shrugs
 
 _DECIMALS = 6
 """To which a number of frames is known: a recording of 2 s has 120 frames at 60 a second, not 121 by rounding."""

@@ -10,8 +10,8 @@ from ..authoring.catalogue import Character, Item, ItemKind, shown_path
 from ..behavior.characters.overlays import Characters
 from ..behavior.reading.families import Families
 from ..model import Channel, Hand, Level
-from ..realizer.gestures.clips import clip
 from ..realizer.gestures.gesture import Definition
+from ..realizer.gestures.library import clip
 from .response_model import Number, ResponseModel
 
 

@@ -20,10 +20,15 @@ from understudy.model import Channel, FloatArray, Schedule
 from understudy.realizer.body.limits import violations
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton, forward
-from understudy.realizer.geometry.angles import to_pitch_yaw_roll
-from understudy.realizer.geometry.rotations import angle_between, inverse, multiply, rotate, shortest_rotation
-from understudy.realizer.head_and_gaze.gaze import apply_gaze
-from understudy.realizer.head_and_gaze.gaze_geometry import EYES, SIDEWAYS_LIMIT, UPRIGHT_LIMIT
+from understudy.realizer.geometry.rotations import (
+    angle_between,
+    inverse,
+    multiply,
+    rotate,
+    shortest_rotation,
+    to_pitch_yaw_roll,
+)
+from understudy.realizer.head_and_gaze.gaze import EYES, SIDEWAYS_LIMIT, UPRIGHT_LIMIT, apply_gaze
 from understudy.realizer.head_and_gaze.gaze_targets import LISTENER_M
 from understudy.realizer.head_and_gaze.head import apply_head_movements
 from understudy.realizer.torso.idle import idle_motion

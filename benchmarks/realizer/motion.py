@@ -40,9 +40,8 @@ from understudy.realizer.arms.posing import wrist_of
 from understudy.realizer.body.contacts import penetrations_m
 from understudy.realizer.body.limits import violations
 from understudy.realizer.body.motion import Motion
-from understudy.realizer.body.skeleton import Skeleton, forward
+from understudy.realizer.body.skeleton import Skeleton, arm_joints, forward
 from understudy.realizer.geometry.rotations import angle_between
-from understudy.realizer.gestures.arm_joints import arm_joints
 from understudy.realizer.gestures.gesture_plan import GesturePlan
 from understudy.realizer.realizing import frame_times_s
 from understudy.realizer.scheduling.gesture_controller import apply_gestures

@@ -13,7 +13,7 @@ from tests.support.motion.hand_made_motion import BODY, waving
 from understudy.cli.arguments.parser import make_parser
 from understudy.model.formats import format_of
 from understudy.realizer.body.motion import SHAPES
-from understudy.realizer.exporting.arkit_csv import to_arkit_csv
+from understudy.realizer.exporting.face_lists import to_arkit_csv
 from understudy.realizer.exporting.glb import to_glb
 
 PAGE = (Path(__file__).parents[2] / "docs" / "engines.md").read_text(encoding="utf-8")

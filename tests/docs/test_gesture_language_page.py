@@ -7,7 +7,6 @@ import pytest
 
 from tests.support.motion.gesture_files import mistakes_in, read_one
 from understudy.model import Level
-from understudy.realizer.gestures.clips import EMPHASIS
 from understudy.realizer.gestures.definitions import FACTORS, MEDIUM, RANGES, SUMMANDS
 from understudy.realizer.gestures.gesture import (
     Bend,
@@ -20,9 +19,9 @@ from understudy.realizer.gestures.gesture import (
     Sideways,
     Thumb,
 )
-from understudy.realizer.gestures.language import FRAME, HEADER
+from understudy.realizer.gestures.language import FRAME, HEADER, OTHER
+from understudy.realizer.gestures.library import EMPHASIS
 from understudy.realizer.gestures.specifiers import ARM_JOINTS, MAX_OFFSET_M
-from understudy.realizer.gestures.statements import OTHER
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "docs" / "gesture-language.md").read_text(encoding="utf-8")

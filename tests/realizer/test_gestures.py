@@ -14,10 +14,9 @@ from understudy.behavior.table.behavior_table import BehaviorEntry
 from understudy.model import Channel, FloatArray, Hand, Level
 from understudy.realizer.body.contacts import penetrations_m
 from understudy.realizer.body.skeleton import Skeleton
-from understudy.realizer.gestures.clips import clip
 from understudy.realizer.gestures.gesture import ArmKey, Clip, Definition, FrameType
 from understudy.realizer.gestures.gesture_space import sector_m
-from understudy.realizer.gestures.library import Library
+from understudy.realizer.gestures.library import Library, clip
 from understudy.realizer.pictures.gesture_sheet import key_poses
 from understudy.realizer.scheduling.selection import TOLERANCE_S
 

@@ -11,7 +11,7 @@ from tests.support.motion.motion_limits import broken_limits
 from understudy.model import Behavior, Channel, Hand, Interval, Level, Schedule, SyncPoints
 from understudy.models import load_realizer
 from understudy.realizer.head_and_gaze.gaze_targets import DIRECTIONS
-from understudy.realizer.head_and_gaze.head_movements import MOVEMENTS
+from understudy.realizer.head_and_gaze.head import MOVEMENTS
 from understudy.realizer.realizing import Realizer, realize
 from understudy.realizer.scheduling.rests import POSTURES as HAND_POSTURES
 from understudy.realizer.torso.posture import POSTURES

@@ -13,10 +13,10 @@ from itertools import pairwise
 import numpy as np
 
 from ...model import FloatArray, Hand
+from ..body.skeleton import PARTS
 from ..geometry.noise import Noise, perlins
 from ..geometry.rotations import from_rotation_vector, keep_signs, multiply
 from ..geometry.splines import Curves, rotations_at, splines
-from ..gestures.arm_joints import PARTS
 from .posing import PartialPose
 
 FOLLOW_THROUGH_S = 0.3

@@ -9,8 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...model import FloatArray
-from ..body.build import BUILD
-from ..body.contacts import LIMBS, PAIRS, Contacts, PosedBody, contacts, radii_m
+from ..body.contacts import BUILD, LIMBS, PAIRS, Contacts, PosedBody, contacts, radii_m
 from ..body.skeleton import SIDES, Skeleton
 from ..geometry.rotations import angle_between, length
 from .displacements import Displacement, displaced, stretches

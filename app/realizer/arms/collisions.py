@@ -13,8 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FloatArray
-from ..body.build import BUILD
-from ..body.contacts import PAIRS, PosedBody, depths_m
+from ..body.contacts import BUILD, PAIRS, PosedBody, depths_m
 from ..body.limits import clamped
 from ..body.motion import BodyMotion, Decision
 from ..body.skeleton import SIDES, Skeleton

@@ -18,7 +18,7 @@ from ...model import FloatArray, Hand
 from ..body.contacts import PosedBody
 from ..body.limits import MIRROR, swing_twist_deg
 from ..body.skeleton import Skeleton
-from ..geometry.easing import minimum_jerk
+from ..geometry.curves import minimum_jerk
 from ..geometry.rotations import dot, from_axis_angle, inverse, length, multiply, nearest_sign, rotate
 from ..gestures.wrist_angles import preserving_wrist_angles
 from .arm_reach import ArmBones, reach_by_elbow, towards_elbow

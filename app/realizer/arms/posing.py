@@ -16,9 +16,8 @@ from ...model import FloatArray, Hand
 from ...model.figure import PLAIN_MANNER, GestureManner
 from ..body.body_space import on_body_m
 from ..body.limits import MIRROR, swing_twist_deg
-from ..body.skeleton import Skeleton
+from ..body.skeleton import PARTS, Skeleton
 from ..geometry.rotations import from_axis_angle, from_rotation_vector, inverse, length, multiply, rotate, x_axis
-from ..gestures.arm_joints import PARTS
 from ..gestures.gesture import ArmKey, Depth, HandForm, HandShape, HeightSector, SectorPlace, Sideways, Wrist
 from ..gestures.gesture_space import DIRECTIONS, sector_m
 from ..gestures.hand_shapes import finger_rows, hand_shape

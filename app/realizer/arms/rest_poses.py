@@ -17,7 +17,7 @@ import numpy as np
 from ...model import Hand, Level
 from ...model.figure import Wait
 from ..body.body_space import on_body_m
-from ..body.build import Point
+from ..body.contacts import Point
 from ..body.limits import MIRROR
 from ..body.skeleton import Skeleton
 from ..gestures.gesture import Bend, Finger, HandForm, HandShape, Thumb

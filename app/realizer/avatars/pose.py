@@ -15,11 +15,10 @@ from pydantic import ValidationError
 from ...errors import InputError, UndecodableError
 from ...model import FloatArray, Hand
 from ..body.limits import MIRROR
-from ..body.skeleton import SIDES, Skeleton
-from ..exporting.gltf_tracks import animation_names, bind_matrices, rotations_at
+from ..body.skeleton import SIDES, Skeleton, arm_joints
+from ..exporting.gltf_reading import animation_names, bind_matrices, rotations_at
 from ..exporting.retargeting import Rig
 from ..geometry.rotations import IDENTITY, inverse, multiply, normalized
-from ..gestures.arm_joints import arm_joints
 from .avatar import at_front, to_t_pose
 from .reading import Avatar, local_matrix, read_avatar, turn_and_scale
 

@@ -17,7 +17,7 @@ import numpy as np
 from ...errors import InputError, UndecodableError
 from ...model import FloatArray
 from ..body.skeleton import SIDES
-from ..exporting.gltf_schema import LARGEST, AvatarFile, Node
+from ..exporting.gltf_reading import LARGEST, AvatarFile, Node
 from ..exporting.retargeting import Rig
 from ..geometry.rotations import IDENTITY, from_axes, multiply, normalized, rotate
 

@@ -11,7 +11,7 @@ from functools import lru_cache
 import numpy as np
 
 from ...model import FloatArray
-from .build import TRUNK, Capsule
+from .contacts import TRUNK, Capsule
 from .proportions import AVERAGE, Proportions
 from .skeleton import Skeleton
 

@@ -3,6 +3,8 @@
 Conventions (docs/references.md): metres, Y up, the character faces +Z, its left is +X, feet at Y = 0. In the T-pose the
 axes of all joints are parallel to the world's, so the identity rotation is the T-pose, with palms down and thumbs
 forward. Parents come before their children.
+
+The joints of an arm from collarbone to fingertips, and the independently moving parts that a gesture can define.
 """
 
 from collections.abc import Mapping
@@ -14,7 +16,7 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
-from ...model import FloatArray
+from ...model import FloatArray, Hand
 from ..geometry.rotations import multiply, rotate
 from .proportions import AVERAGE, Proportions
 
@@ -179,3 +181,18 @@ def _generations(skeleton: Skeleton, only: frozenset[int] | None) -> list[tuple[
                 joints.append(joint)
                 parents.append(parent)
     return [(np.array(joints), np.array(parents)) for joints, parents in found if joints]
+
+
+_PHALANGES = ("Proximal", "Intermediate", "Distal")
+FINGER_JOINTS: tuple[str, ...] = tuple(
+    finger + phalanx
+    for finger in FINGERS
+    for phalanx in (("Metacarpal", "Proximal", "Distal") if finger == "Thumb" else _PHALANGES)
+)
+PARTS: tuple[str, ...] = ("Shoulder", "UpperArm", "Elbow", "LowerArm", "Hand", *FINGER_JOINTS)
+"""The rows of a `PartialPose`: the joints of an arm, with the lower arm split into the elbow's hinge and the twist."""
+
+
+def arm_joints(side: Hand) -> tuple[str, ...]:
+    """The nineteen joints of an arm in the skeleton's order, from the collarbone to the little finger's tip."""
+    return tuple(side.value + name for name in PARTS if name != "Elbow")

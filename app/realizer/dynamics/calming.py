@@ -16,10 +16,9 @@ from numpy.typing import NDArray
 from ...model import FloatArray, Hand
 from ..arms.posing import ARM_ROWS, wrists_of
 from ..body.motion import BodyMotion
-from ..body.skeleton import Skeleton, forward
+from ..body.skeleton import Skeleton, arm_joints, forward
+from ..geometry.curves import smoothed
 from ..geometry.rotations import keep_signs, normalized, rotate
-from ..geometry.smoothing import smoothed
-from ..gestures.arm_joints import arm_joints
 
 Wrists = Callable[[Sequence[FloatArray], slice], FloatArray]
 """The places (2, F, 3) of the wrists of a left and a right arm (F, 19, 4) in these frames."""

@@ -15,9 +15,9 @@ import numpy as np
 from ...model import FloatArray
 from ..body.limits import MIRROR
 from ..body.movement_style import Dragging
+from ..geometry.curves import smoothed
 from ..geometry.noise import Noise, perlins
 from ..geometry.rotations import from_rotation_vector, inverse, multiply, rotate
-from ..geometry.smoothing import smoothed
 
 _COLLARBONE, _UPPER_ARM, _LOWER_ARM, _HAND, _FINGERS = 0, 1, 2, 3, slice(7, 19)
 _SMOOTH_S = 0.04

@@ -14,8 +14,8 @@ from ...model.figure import PLAIN, Looks
 from ..body.motion import Motion
 from ..body.skeleton import Skeleton
 from ..mannequin.carrying import t_pose_m
-from ..mannequin.colours import MATERIALS, Colour
 from ..mannequin.face import FACE_SHAPES
+from ..mannequin.looks import MATERIALS, Colour
 from ..mannequin.mannequin import Mannequin, MeshPart, joined
 from .animations import Layer, NodeTrack, animations, joint_track
 from .gltf import Accessors, Json, joint_nodes, to_glb_bytes

@@ -29,7 +29,7 @@ from ..body.motion import SHAPES, Motion
 from ..body.skeleton import Skeleton
 from ..geometry.rotations import with_continuous_signs
 from ..mannequin.carrying import t_pose_m
-from ..mannequin.colours import Colour
+from ..mannequin.looks import Colour
 from ..mannequin.mannequin import INFLUENCES, Mannequin, MeshPart, joined
 from .animations import events_json, marker
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from ...model import Behavior, Channel, FloatArray, SyncPoints
 from ..body.motion import SHAPES, Decision
-from ..geometry.easing import minimum_jerk
+from ..geometry.curves import minimum_jerk
 from .face_tables import FaceSide, sided
 
 FACIAL = frozenset({Channel.FACE, Channel.EYES})

@@ -22,10 +22,9 @@ from ..body.motion import SHAPES, BodyMotion
 from ..body.skeleton import Skeleton
 from ..geometry.noise import perlin
 from ..geometry.rotations import rotate
-from .diphthongs import with_glides
 from .expressions import expressions
 from .face_tables import COLUMNS, INDEX, EyeTable, FaceTables
-from .lips import LipSync, lip_sync
+from .lips import LipSync, lip_sync, with_glides
 
 CORNERS = ("mouthSmile", "mouthFrown", "mouthDimple", "mouthStretch", "mouthPress", "mouthLeft", "mouthRight")
 """The shapes at the corners of the mouth, which speech uses only in part; lips that are pressed stay tense between the

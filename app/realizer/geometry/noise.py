@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FloatArray
-from .easing import minimum_jerk
+from .curves import minimum_jerk
 
 _LARGEST = 2.0**64
 _GOLDEN = 0.618033988749895

@@ -18,8 +18,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FloatArray
-from .angles import sine_and_cosine
-from .rotations import from_rotation_vector, inverse, length, multiply, to_rotation_vector, with_continuous_signs
+from .rotations import (
+    from_rotation_vector,
+    inverse,
+    length,
+    multiply,
+    sine_and_cosine,
+    to_rotation_vector,
+    with_continuous_signs,
+)
 
 _MOST_SLOPE = 3.0
 _STILL = 1e-9

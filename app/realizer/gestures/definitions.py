@@ -13,9 +13,8 @@ from types import MappingProxyType
 from ...model import Hand, Level
 from .checking import TimedFrame, frame_mistakes, repeated_statements
 from .gesture import ArmKey, Definition, Expressivity, Frame, FrameType, OffsetTrack
-from .offset_tracks import offset_tracks
-from .specifiers import arm_key, key_curve, number, one_of
-from .statements import FrameTree, GestureTree, LocatedMistake, Statement, StatementValue
+from .language import FrameTree, GestureTree, LocatedMistake, Statement, StatementValue
+from .specifiers import arm_key, key_curve, number, offset_tracks, one_of
 
 MEDIUM = Expressivity(repetition=0.35)
 FACTORS: Mapping[Level, tuple[float, float]] = MappingProxyType(

@@ -1,12 +1,17 @@
 """The data of gesture planning: requests, the clips chosen for them, and what each arm does over time.
 
 Conventions: seconds from the start of the audio; markers of placed gestures are absolute. An arm is `Hand.LEFT` or
-`Hand.RIGHT`; a two-handed gesture is on both arms with the same stroke, but preparation and retraction may differ.
+`Hand.RIGHT`; a two-handed gesture is on both arms with the same stroke, but preparation and retraction may differ. What
+chance decides of a gesture depends on the seed and on the gesture alone (`drawn`), so that editing one leaves the
+others as they were.
 """
 
 from collections.abc import Mapping
 from dataclasses import dataclass
 from math import inf
+from zlib import crc32
+
+import numpy as np
 
 from ...model import Hand, Level, Manner, SyncPoints
 from ...model.limits import playable_size
@@ -207,3 +212,10 @@ class GesturePlan:
 def arms_of(hand: Hand) -> tuple[Hand, ...]:
     """The arms that a hand of the schedule refers to."""
     return (Hand.LEFT, Hand.RIGHT) if hand is Hand.BOTH else (hand,)
+
+
+def drawn(seed: int, gesture: PlacedGesture, what: int = 0) -> np.random.Generator:
+    """The generator of a gesture; `what` is drawn, where more than one thing is."""
+    asked = gesture.request
+    named = f"{asked.behavior} {asked.category} {asked.stroke_s:.3f}"
+    return np.random.default_rng((seed, crc32(named.encode()), what) if what else (seed, crc32(named.encode())))

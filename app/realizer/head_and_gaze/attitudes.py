@@ -6,7 +6,7 @@ head goes from one to the next in a minimum-jerk movement and returns to none. I
 long silence it changes now and then. The eyes stay on their target.
 
 Conventions: degrees in the constants, else radians; pitch, yaw and roll as in
-`understudy.realizer.geometry.angles`; seconds. The angles are ours, chosen by how far the heads of five storytellers
+`understudy.realizer.geometry.rotations`; seconds. The angles are ours, chosen by how far the heads of five storytellers
 move relative to their trunks (`benchmarks/realizer/liveliness.py`).
 """
 
@@ -18,9 +18,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ...model import FloatArray, Interval, Schedule, Word
-from ..geometry.easing import superposed_movements
+from ..geometry.curves import smoothed, superposed_movements
 from ..geometry.noise import Noise, perlins
-from ..geometry.smoothing import smoothed
 from ..torso.stance import idle_activity
 
 TRUNK_DEGREES = (1.5, 2.4, 1.6)

@@ -4,19 +4,24 @@ A `SHIFT` moves the gaze for good, a `LOOK` turns head and eyes to a target and 
 is added to the others, as saccades are in the paper (§3.8). A direction is an offset of `amount` × 60° to that side, as
 in our BML. Conventions: radians and metres; directions are pitch and yaw as seen from the eyes' position in the T-pose,
 left and right are the character's own.
+
+Finds the targets of pointing gestures.
+
+Conventions: world positions in metres (`understudy.realizer.body.skeleton`). The listener's position is that of the
+gaze (`understudy.realizer.head_and_gaze.gaze_targets`), but hands point lower than eyes look.
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
 
 from ...model import Behavior, Channel, FloatArray, Schedule
-from ..geometry.angles import pitch_and_yaw
-
-Position = tuple[float, float, float]
+from ..body.motion import Decision
+from ..geometry.rotations import pitch_and_yaw
+from ..gestures.gesture_plan import PlacedGesture, Position
 
 LISTENER = "listener"
 LISTENER_M: Position = (0.0, 1.60, 1.25)
@@ -161,3 +166,29 @@ def _at(target: str | None, from_m: FloatArray, targets_m: Mapping[str, Position
     other_m = targets_m.get(LISTENER, LISTENER_M)
     way_m = np.array(targets_m.get(target or LISTENER, other_m)) - from_m
     return np.array([*pitch_and_yaw(way_m), 1.0 / np.linalg.norm(way_m)])
+
+
+BELOW_THE_EYES_M = 0.35
+"""Pointing at a person aims at the chest."""
+AT_THE_LISTENER = "YOU"
+"""The category that points at the listener, with or without a named target."""
+
+
+def with_target(placed: PlacedGesture, targets_m: Mapping[str, Position]) -> PlacedGesture:
+    """The gesture with its target position; if the target's position is unknown, the gesture as defined."""
+    at_a_person = placed.clip.category == AT_THE_LISTENER
+    target = placed.request.target or (LISTENER if at_a_person else None)
+    if target is None or not placed.clip.aimed:
+        return placed
+    aim_m = targets_m.get(target, LISTENER_M if target == LISTENER else None)
+    if aim_m is not None and (at_a_person or target == LISTENER):
+        x, y, z = aim_m
+        aim_m = (x, y - BELOW_THE_EYES_M, z)
+    return replace(placed, aim_m=aim_m)
+
+
+def unknown_target(placed: PlacedGesture) -> Iterator[Decision]:
+    """A decision for a pointing gesture whose target has no known position."""
+    if placed.clip.aimed and placed.request.target and placed.aim_m is None:
+        where = f"where {placed.request.target!r} is nobody has said"
+        yield Decision(placed.request.behavior, "replaced", f"{where}: it points as {placed.clip.name} is defined")

@@ -17,14 +17,12 @@ from ..body.motion import SHAPES
 from ..body.skeleton import SIDES, Skeleton, forward
 from ..geometry.rotations import length, rotate
 from . import head as mannequin_head
-from .body import drawn_capsules, garments_of, skinning_capsules
+from .body import drawn_capsules, folded, garments_of, skinning_capsules
 from .carrying import carried, on_head, t_pose_m
-from .cloth import folded
-from .colours import Colour, colours_of
 from .eyes import ball, brow, lids
 from .face import displacements_m
-from .hair import HANGS_FROM_M, HANGS_TO_M, hair
-from .mouth import teeth, tongue
+from .head import teeth, tongue
+from .looks import HANGS_FROM_M, HANGS_TO_M, Colour, colours_of, hair
 from .surface import IntArray, SkinnedCapsule, Surface, distances_m, mesh
 
 INFLUENCES = 4

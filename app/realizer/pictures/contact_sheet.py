@@ -1,23 +1,26 @@
 """Draws contact sheets: the mannequin in key poses, from the front and three quarters, with times and words.
 
 Needs matplotlib, the extra `understudy[plot]`; command line and HTTP API check for it.
+
+Draws characters as they stand, side by side and to one scale. Needs matplotlib, the extra `understudy[plot]`.
 """
 
 from __future__ import annotations
 
 import io
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...model import Channel, FloatArray, Schedule, Word
+from ...model import Channel, FloatArray, Hand, Schedule, Word
 from ...model.figure import PLAIN, Looks
+from ..arms.rest_poses import rest_pose
 from ..body.motion import SHAPES, Motion
-from ..body.skeleton import Skeleton, forward
-from ..geometry.rotations import rotate
+from ..body.skeleton import Skeleton, arm_joints, forward
+from ..geometry.rotations import IDENTITY, rotate
 from ..mannequin.mannequin import Mannequin, posed
 from .rasterizer import Camera, ColouredMesh, draw, joined
 
@@ -211,3 +214,25 @@ def display(light: FloatArray) -> NDArray[np.uint8]:
     steps = np.linspace(0, 1, _LIGHT_STEPS)
     shown = np.round(255 * steps ** (1 / 2.2)).astype(np.uint8)
     return np.asarray(shown[(np.clip(light, 0, 1) * (_LIGHT_STEPS - 1) + 0.5).astype(np.uint16)])
+
+
+_WHOLE = (Camera((0.0, 1.0, 0.0), 2.12), Camera((0.0, 1.0, 0.0), 2.12, azimuth=np.radians(48)))
+AT_SIDE = "at_side"
+
+
+def draw_characters(bodies: Mapping[str, tuple[Skeleton, Looks]]) -> bytes:
+    """Each body, by the name of its character, from the front, three quarters and in close-up, as PNG."""
+    stills = [Still(name, _standing(skeleton)) for name, (skeleton, _looks) in bodies.items()]
+    cells = [
+        cell(Mannequin.around(skeleton, looks), still, faces=True, cameras=_WHOLE)
+        for still, (skeleton, looks) in zip(stills, bodies.values(), strict=True)
+    ]
+    return draw_cells(cells, stills)
+
+
+def _standing(skeleton: Skeleton) -> FloatArray:
+    """The rotations (J, 4) of a body with its arms at its sides."""
+    rotations = np.tile(IDENTITY, (len(skeleton.names), 1))
+    for side in (Hand.LEFT, Hand.RIGHT):
+        rotations[skeleton.chain(*arm_joints(side))] = rest_pose(skeleton, side, AT_SIDE).rotations
+    return rotations

@@ -22,14 +22,12 @@ from ..arms.arms import ArmTrack, TimedPose, arm_motion
 from ..arms.posing import PartialPose, pose_arm
 from ..arms.rest_poses import rest_pose
 from ..body.motion import BodyMotion
-from ..body.skeleton import Skeleton, forward
+from ..body.skeleton import Skeleton, arm_joints, forward
 from ..geometry.rotations import IDENTITY
-from ..gestures.arm_joints import arm_joints
 from ..gestures.gesture import ArmKey, Clip, ClipKey, KeyCurve
 from ..gestures.gesture_plan import ArmGesture, GesturePlan
-from ..scheduling.gesture_controller import apply_gestures
+from ..scheduling.gesture_controller import apply_gestures, with_tracks
 from ..scheduling.planning import plan_gestures
-from ..scheduling.track_offsets import with_tracks
 from .contact_sheet import Still, draw_stills
 from .speed_plot import LINE, PHASES
 

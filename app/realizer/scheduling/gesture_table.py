@@ -13,7 +13,7 @@ from ..arms.wrist_paths import relax_m, stroke_end_m, stroke_start_m
 from ..gestures.gesture import Clip, Depth, HeightSector, SectorPlace, Sideways
 from ..gestures.gesture_plan import GestureRequest
 from ..gestures.gesture_space import sector_m
-from ..head_and_gaze.aiming import with_target
+from ..head_and_gaze.gaze_targets import with_target
 from .selection import Clips, clips_of, place_clip
 
 _MIDDLE_M = sector_m(SectorPlace(Sideways.C, HeightSector.CC, Depth.MIDDLE))

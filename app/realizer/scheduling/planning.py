@@ -17,7 +17,6 @@ import numpy as np
 from ...model import Hand, Schedule, SyncPoints
 from ..body.motion import Decision
 from ..body.movement_style import PLAIN, MovementStyle, Strokes
-from ..dynamics.drawing import drawn
 from ..dynamics.resting_beats import Habits
 from ..dynamics.resting_beats import with_beats as riding
 from ..dynamics.snapping import lifted, snapped, wound_up
@@ -30,8 +29,9 @@ from ..gestures.gesture_plan import (
     PlacedGesture,
     Position,
     Transition,
+    drawn,
 )
-from ..head_and_gaze.aiming import unknown_target, with_target
+from ..head_and_gaze.gaze_targets import unknown_target, with_target
 from ..showing.directions import aims_m
 from ..showing.showing import as_shown, finger_first, showing, shown_decisions
 from .arm_timelines import ArmTimeline, arm_timeline, rest_changes, units_of

@@ -15,9 +15,8 @@ import numpy as np
 from ...model import Hand, Level
 from ..arms.rest_poses import HANGING, LAPS, resting
 from ..body.movement_style import MovementStyle
-from ..dynamics.drawing import drawn
 from ..gestures.gesture import Clip, ClipKey
-from ..gestures.gesture_plan import PlacedGesture
+from ..gestures.gesture_plan import PlacedGesture, drawn
 from .arm_timelines import pose_at
 from .rests import AT_SIDE, RestChange
 from .transitions import transition_s

@@ -20,8 +20,7 @@ from ...model.limits import SLOWEST_STROKE_M_S, equal_transition_s
 from ..arms.rest_poses import waiting_pose
 from ..arms.wrist_paths import distance_m, relax_m, stroke_start_m
 from ..body.movement_style import PLAIN, MovementStyle
-from ..dynamics.drawing import drawn
-from ..gestures.gesture_plan import PlacedGesture
+from ..gestures.gesture_plan import PlacedGesture, drawn
 from .rests import (
     SHORTEST_REST_S,
     posture_pose,

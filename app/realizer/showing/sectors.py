@@ -20,7 +20,7 @@ from ..body.skeleton import Skeleton
 from ..gestures.gesture import ArmKey, Clip, Depth, HeightSector, SectorPlace, Sideways
 from ..gestures.gesture_plan import PlacedGesture
 from ..gestures.gesture_space import SHOULDERS_ABOVE_HIPS_M, sector_m
-from ..gestures.offset_tracks import track_of
+from ..gestures.specifiers import track_of
 from .measures import begun_in_time
 
 ARM_M = 0.53

@@ -12,8 +12,7 @@ import numpy as np
 
 from ...model import FloatArray
 from ..body.skeleton import SIDES, Skeleton, forward
-from ..geometry.angles import sine_and_cosine
-from ..geometry.rotations import from_axis_angle, inverse, length, multiply, rotate
+from ..geometry.rotations import from_axis_angle, inverse, length, multiply, rotate, sine_and_cosine
 
 _LEG = ("UpperLeg", "LowerLeg", "Foot")
 LEG_JOINTS = tuple(side + part for side in SIDES for part in _LEG)

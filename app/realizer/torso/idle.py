@@ -29,12 +29,10 @@ from ...model import FloatArray, Hand, Interval, Level, Schedule
 from ..arms.rest_poses import rest_pose
 from ..body.motion import BodyMotion
 from ..body.movement_style import PLAIN, IdleLife
-from ..body.skeleton import SIDES, Skeleton
-from ..geometry.angles import from_pitch_yaw_roll
-from ..geometry.easing import minimum_jerk_through
+from ..body.skeleton import SIDES, Skeleton, arm_joints
+from ..geometry.curves import minimum_jerk_through
 from ..geometry.noise import Noise, perlins
-from ..geometry.rotations import IDENTITY, multiply
-from ..gestures.arm_joints import arm_joints
+from ..geometry.rotations import IDENTITY, from_pitch_yaw_roll, multiply
 from .balance import hips_height_m, set_legs
 from .posture import TrunkPosture, trunk_postures
 from .stance import IDLE_ACTIVITY, beside, idle_activity, stances

@@ -14,7 +14,7 @@ from types import MappingProxyType
 import numpy as np
 
 from ...model import Behavior, Channel, FloatArray
-from ..geometry.easing import superposed_movements
+from ..geometry.curves import superposed_movements
 
 SHORTEST_SHIFT_S = 0.6
 """The minimum duration of a shift; one that is scheduled shorter ends later."""

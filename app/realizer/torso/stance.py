@@ -6,7 +6,7 @@ the large masses set out before the limbs. In a long phrase the stance changes n
 schedule asks for is kept.
 
 Conventions: seconds, radians; the weight is 1 on the left leg, -1 on the right; pitch, yaw and roll as in
-`understudy.realizer.geometry.angles`.
+`understudy.realizer.geometry.rotations`.
 
 How the amount of idle movement depends on the speaker's agitation and the schedule's stillness; the factors are ours.
 """
@@ -19,7 +19,7 @@ import numpy as np
 
 from ...model import FloatArray, Interval, Level, Schedule
 from ..body.movement_style import IdleLife
-from ..geometry.easing import superposed_movements
+from ..geometry.curves import superposed_movements
 
 BEFORE_S = 0.35
 """How much earlier than the voice the weight sets out."""

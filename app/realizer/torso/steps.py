@@ -13,7 +13,7 @@ import numpy as np
 from ...model import Channel, FloatArray, Schedule
 from ..body.motion import BodyMotion, Decision
 from ..body.skeleton import Skeleton
-from ..geometry.easing import minimum_jerk, plateau
+from ..geometry.curves import minimum_jerk, plateau
 from .balance import FeetCourse, Footing, hips_height_m, set_legs, standing
 
 SHORTEST_TAKE_S = 20.0

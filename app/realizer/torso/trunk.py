@@ -22,9 +22,8 @@ from ...model import FloatArray, Hand
 from ..body.motion import BodyMotion
 from ..body.movement_style import StrokeLife
 from ..body.skeleton import Skeleton
-from ..geometry.easing import superposed_movements
+from ..geometry.curves import smoothed, superposed_movements
 from ..geometry.rotations import from_rotation_vector, multiply
-from ..geometry.smoothing import smoothed
 from .balance import hips_height_m, set_legs
 
 SHARES: Mapping[str, float] = MappingProxyType({"spine": 0.4, "chest": 0.35, "upperChest": 0.25})

@@ -10,8 +10,7 @@ import numpy as np
 from ...model import Hand, Level
 from ...realizer.arms.plausibility import SHORT_M
 from ...realizer.arms.posing import pose_arms
-from ...realizer.body.skeleton import Skeleton
-from ...realizer.gestures.arm_joints import arm_joints
+from ...realizer.body.skeleton import Skeleton, arm_joints
 from ...realizer.gestures.checking import IN_ORDER, REPEATED
 from ...realizer.gestures.definitions import FACTORS, MAX_DURATION_S, MIN_DURATION_S, RANGES, SUMMANDS
 from ...realizer.gestures.gesture import (
@@ -28,8 +27,17 @@ from ...realizer.gestures.gesture import (
     TrackForm,
 )
 from ...realizer.gestures.gesture_space import DEPTH_M, DIRECTIONS, HEIGHT, SHOULDERS_ABOVE_HIPS_M, SIDEWAYS_M, sector_m
-from ...realizer.gestures.offset_tracks import FEWEST_TURNS, MOST_DEGREES, MOST_PHASE_DEG, MOST_TURNS, TrackJoint
-from ...realizer.gestures.specifiers import MAX_DEGREES, MAX_OFFSET_M, THUMB_IN_FORM, orthogonal
+from ...realizer.gestures.specifiers import (
+    FEWEST_TURNS,
+    MAX_DEGREES,
+    MAX_OFFSET_M,
+    MOST_DEGREES,
+    MOST_PHASE_DEG,
+    MOST_TURNS,
+    THUMB_IN_FORM,
+    TrackJoint,
+    orthogonal,
+)
 from ..response_model import Number, ResponseModel
 
 _AXES = (

@@ -17,7 +17,7 @@ from ...model import Agitation, Hand, Interval, Level, Notice, Parse, Performanc
 from ...profiles.annotation.model import PathForm, Position, Swivel
 from ...profiles.annotation.spans import DEPTHS, HEIGHTS, SIDEWAYS
 from ...profiles.generation.script import GestureScript, ScriptedGesture, ScriptedUnit, behaviors_of
-from ...realizer.gestures.offset_tracks import track_of
+from ...realizer.gestures.specifiers import track_of
 from ..options import Seed
 
 MOST_GESTURES = 5000

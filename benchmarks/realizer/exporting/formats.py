@@ -28,9 +28,9 @@ from understudy.model import FloatArray
 from understudy.model.figure import PLAIN, Looks
 from understudy.realizer.body.motion import Motion
 from understudy.realizer.body.skeleton import Skeleton, forward
-from understudy.realizer.exporting.arkit_csv import to_arkit_csv
 from understudy.realizer.exporting.bvh import to_bvh
 from understudy.realizer.exporting.clip_json import to_clip_json
+from understudy.realizer.exporting.face_lists import to_arkit_csv
 from understudy.realizer.exporting.glb import to_glb
 from understudy.realizer.exporting.retargeting import Rig, load_rigs
 from understudy.realizer.exporting.vrma import to_vrma

@@ -23,10 +23,9 @@ from understudy.realizer.arms.arms import ArmTrack, TimedPose, arm_motion
 from understudy.realizer.arms.posing import pose_arm, wrist_of
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.skeleton import Skeleton
-from understudy.realizer.gestures.clips import LEADING, clip
 from understudy.realizer.gestures.gesture import Clip, FrameType, HeightSector, Sideways
 from understudy.realizer.gestures.gesture_space import HEIGHT, SHOULDERS_ABOVE_HIPS_M, SIDEWAYS_M, sector_m
-from understudy.realizer.gestures.library import Library
+from understudy.realizer.gestures.library import LEADING, Library, clip
 from understudy.resources import resource_folder
 
 RINGS: Mapping[Sideways | HeightSector, int] = {

@@ -20,8 +20,7 @@ from understudy.options import Options
 from understudy.performance import perform
 from understudy.realization import Realizer, schedule_of
 from understudy.realizer.body.skeleton import Skeleton, forward
-from understudy.realizer.geometry.angles import to_pitch_yaw_roll
-from understudy.realizer.geometry.rotations import angle_between
+from understudy.realizer.geometry.rotations import angle_between, to_pitch_yaw_roll
 from understudy.resources import resource_folder
 from understudy.settings import Settings
 

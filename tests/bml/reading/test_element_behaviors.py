@@ -9,7 +9,7 @@ from understudy.bml.reading.reader import read_bml
 from understudy.bml.reading.resolving import resolve
 from understudy.errors import AuthoringError
 from understudy.models import load_realizer
-from understudy.realizer.head_and_gaze.head_movements import MOVEMENTS
+from understudy.realizer.head_and_gaze.head import MOVEMENTS
 
 CORE = 'xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b" characterId="c"'
 

@@ -7,9 +7,8 @@ from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.arms import FOLLOW_THROUGH_S, ArmTrack, TimedPose, arm_motion
 from understudy.realizer.arms.posing import PartialPose, arm_rotations, pose_arm, wrist_of
 from understudy.realizer.arms.rest_poses import rest_pose
-from understudy.realizer.body.skeleton import Skeleton
+from understudy.realizer.body.skeleton import PARTS, Skeleton
 from understudy.realizer.geometry.rotations import angle_between
-from understudy.realizer.gestures.arm_joints import PARTS
 from understudy.realizer.gestures.gesture import ArmKey, Depth, HandForm, HandShape, HeightSector, SectorPlace, Sideways
 
 BODY = Skeleton.standing()

@@ -13,9 +13,8 @@ from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.contacts import depths_m, penetrations_m
 from understudy.realizer.body.limits import violations
 from understudy.realizer.body.motion import BodyMotion
-from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton
+from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton, arm_joints
 from understudy.realizer.geometry.rotations import IDENTITY, angle_between
-from understudy.realizer.gestures.arm_joints import arm_joints
 from understudy.realizer.gestures.gesture import (
     ArmKey,
     Depth,

@@ -8,11 +8,10 @@ from tests.support.motion.gesture_files import gesture, read_one
 from understudy.model import FloatArray, Hand, Level
 from understudy.realizer.arms.posing import wrist_of
 from understudy.realizer.arms.rest_poses import rest_pose
-from understudy.realizer.body.skeleton import Skeleton
-from understudy.realizer.gestures.arm_joints import arm_joints
-from understudy.realizer.gestures.clips import clip
+from understudy.realizer.body.skeleton import Skeleton, arm_joints
 from understudy.realizer.gestures.gesture import FrameType
 from understudy.realizer.gestures.gesture_space import sector_m
+from understudy.realizer.gestures.library import clip
 from understudy.realizer.pictures.gesture_sheet import REST, key_poses
 
 SKELETON = Skeleton.standing()

@@ -11,9 +11,8 @@ from understudy.realizer.arms.arm_reach import ArmBones
 from understudy.realizer.arms.posing import WRIST_ROWS, arm_rotations, parts_of, pose_arm, pose_arms, wrist_of
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.limits import LIMITS, MIRROR, violations
-from understudy.realizer.body.skeleton import Skeleton, forward
+from understudy.realizer.body.skeleton import PARTS, Skeleton, arm_joints, forward
 from understudy.realizer.geometry.rotations import IDENTITY, angle_between, rotate
-from understudy.realizer.gestures.arm_joints import PARTS, arm_joints
 from understudy.realizer.gestures.gesture import (
     ArmKey,
     Bend,

@@ -11,9 +11,8 @@ from understudy.realizer.arms.posing import wrist_of
 from understudy.realizer.arms.rest_poses import RESTS, rest_pose, waiting_pose
 from understudy.realizer.body.contacts import PosedBody, contacts
 from understudy.realizer.body.limits import violations
-from understudy.realizer.body.skeleton import Skeleton
+from understudy.realizer.body.skeleton import Skeleton, arm_joints
 from understudy.realizer.geometry.rotations import IDENTITY, angle_between
-from understudy.realizer.gestures.arm_joints import arm_joints
 
 BODY = Skeleton.standing()
 SIDES = (Hand.LEFT, Hand.RIGHT)

@@ -11,9 +11,8 @@ from understudy.realizer.arms.rest_poses import RESTS, rest_pose
 from understudy.realizer.body.body_space import on_body_m
 from understudy.realizer.body.contacts import penetrations_m
 from understudy.realizer.body.proportions import Proportions
-from understudy.realizer.body.skeleton import Skeleton
+from understudy.realizer.body.skeleton import Skeleton, arm_joints
 from understudy.realizer.geometry.rotations import IDENTITY
-from understudy.realizer.gestures.arm_joints import arm_joints
 
 BELLY_M, HIP_M, BEHIND_M = np.array([[0.0, 0.13, 0.2], [0.25, 0.0, 0.0], [0.05, 0.0, -0.2]])
 

@@ -1,18 +1,34 @@
-"""Contacts of capsules: how deep, which way out, and nothing of an arm with itself."""
+"""The body's parts hang on its joints, are mirrored, and stand within the adult they are made for."""
 
 import numpy as np
 
 from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.posing import arm_rotations, pose_arm
 from understudy.realizer.arms.rest_poses import rest_pose
-from understudy.realizer.body.build import BUILD
-from understudy.realizer.body.contacts import LIMBS, PAIRS, PosedBody, contacts, penetrations_m, radii_m
-from understudy.realizer.body.skeleton import Skeleton
+from understudy.realizer.body.contacts import BUILD, LIMBS, PAIRS, PosedBody, contacts, penetrations_m, radii_m
+from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton, arm_joints, forward
 from understudy.realizer.geometry.rotations import IDENTITY
-from understudy.realizer.gestures.arm_joints import arm_joints
 from understudy.realizer.gestures.gesture import ArmKey, Depth, HeightSector, SectorPlace, Sideways
 
 BODY = Skeleton.standing()
+
+
+def test_every_part_hangs_on_a_joint_and_has_a_size() -> None:
+    assert {capsule.joint for capsule in BUILD} <= set(BODY.names)
+    assert all(capsule.radius_m > 0 for capsule in BUILD)
+
+
+def test_the_build_is_an_adult_of_a_metre_seventy_three_and_its_own_mirror_image() -> None:
+    at, _ = forward(BODY, np.tile(IDENTITY, (len(BODY.names), 1)), np.array([0.0, HIPS_HEIGHT_M, 0.0]))
+    ends = {
+        (capsule.part, capsule.joint.startswith("right")): at[BODY.index[capsule.joint]] + capsule.end_m
+        for capsule in BUILD
+    }
+    top = max(end[1] + capsule.radius_m for capsule, end in zip(BUILD, ends.values(), strict=True))
+    assert abs(top - 1.73) < 0.03
+    for (part, right), end in ends.items():
+        if right:
+            assert np.allclose(end * [-1, 1, 1], ends[part, False])
 
 
 def at(offset_m: tuple[float, float, float]) -> FloatArray:

@@ -5,10 +5,9 @@ import numpy as np
 from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.motion import BodyMotion
-from understudy.realizer.body.skeleton import Skeleton, forward
+from understudy.realizer.body.skeleton import Skeleton, arm_joints, forward
 from understudy.realizer.dynamics.calming import calm, with_calm_arms
 from understudy.realizer.geometry.rotations import IDENTITY, angle_between, from_axis_angle, multiply
-from understudy.realizer.gestures.arm_joints import arm_joints
 
 RATE_HZ = 60
 FASTEST_M_S = 3.0

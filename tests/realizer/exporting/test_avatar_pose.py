@@ -17,9 +17,9 @@ from understudy.model import FloatArray, Hand
 from understudy.realizer.avatars.avatar import to_avatar_glb
 from understudy.realizer.avatars.pose import angles_deg, read_pose
 from understudy.realizer.body.limits import MIRROR
+from understudy.realizer.body.skeleton import arm_joints
 from understudy.realizer.exporting.glb import to_glb
 from understudy.realizer.geometry.rotations import angle_between, from_rotation_vector, multiply
-from understudy.realizer.gestures.arm_joints import arm_joints
 
 MOTION = waving(1.0)
 AT_S = 0.5

@@ -7,9 +7,9 @@ import pytest
 
 from tests.support.motion.hand_made_motion import BODY, still, waving
 from understudy.realizer.body.motion import Motion
-from understudy.realizer.exporting.arkit_csv import to_arkit_csv
 from understudy.realizer.exporting.bvh import to_bvh
 from understudy.realizer.exporting.clip_json import to_clip_json
+from understudy.realizer.exporting.face_lists import to_arkit_csv
 from understudy.realizer.exporting.glb import to_glb
 from understudy.realizer.exporting.retargeting import load_rigs
 from understudy.realizer.exporting.vrma import to_vrma

@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from understudy.model import FloatArray
-from understudy.realizer.geometry.angles import from_pitch_yaw_roll, to_pitch_yaw_roll
-from understudy.realizer.geometry.rotations import angle_between
+from understudy.realizer.geometry.rotations import angle_between, from_pitch_yaw_roll, to_pitch_yaw_roll
 from understudy.realizer.head_and_gaze.head import within_speed
 
 FRAME_S = 0.1

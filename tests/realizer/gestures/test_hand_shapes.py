@@ -5,9 +5,8 @@ import pytest
 
 from understudy.model import FloatArray
 from understudy.realizer.body.limits import LIMITS, violations
-from understudy.realizer.body.skeleton import FINGERS, Skeleton, forward
+from understudy.realizer.body.skeleton import FINGER_JOINTS, FINGERS, Skeleton, forward
 from understudy.realizer.geometry.rotations import IDENTITY, angle_between, rotate
-from understudy.realizer.gestures.arm_joints import FINGER_JOINTS
 from understudy.realizer.gestures.gesture import Bend, Finger, HandForm, HandShape, Thumb
 from understudy.realizer.gestures.hand_shapes import finger_rows, hand_shape
 

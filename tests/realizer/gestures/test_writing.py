@@ -34,10 +34,15 @@ from understudy.realizer.gestures.gesture import (
     TrackForm,
     Wrist,
 )
-from understudy.realizer.gestures.language import parse_gestures
-from understudy.realizer.gestures.offset_tracks import TrackJoint
-from understudy.realizer.gestures.specifiers import ARM_JOINTS, MAX_DEGREES, MAX_OFFSET_M, THUMB_IN_FORM, orthogonal
-from understudy.realizer.gestures.statements import LocatedMistake
+from understudy.realizer.gestures.language import LocatedMistake, parse_gestures
+from understudy.realizer.gestures.specifiers import (
+    ARM_JOINTS,
+    MAX_DEGREES,
+    MAX_OFFSET_M,
+    THUMB_IN_FORM,
+    TrackJoint,
+    orthogonal,
+)
 from understudy.realizer.gestures.writing import write_gesture
 
 PATH = Path("written.gesture")

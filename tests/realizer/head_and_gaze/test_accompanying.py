@@ -10,7 +10,7 @@ from understudy.model import Behavior, Channel, FloatArray, Hand, Interval, Sche
 from understudy.models import load_gestures
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import forward
-from understudy.realizer.geometry.angles import to_pitch_yaw_roll
+from understudy.realizer.geometry.rotations import to_pitch_yaw_roll
 from understudy.realizer.head_and_gaze.accompanying import ALONG, AT_THE_HAND, Look, accompanying_looks, with_looks
 from understudy.realizer.head_and_gaze.gaze import apply_gaze
 from understudy.realizer.scheduling.gesture_controller import apply_gestures

@@ -5,7 +5,7 @@ import pytest
 
 from understudy.model import FloatArray
 from understudy.model.figure import Hair, Legwear, Looks, Physique, Sex
-from understudy.realizer.body.build import build_of
+from understudy.realizer.body.contacts import build_of
 from understudy.realizer.body.proportions import Proportions
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.mannequin.carrying import on_head, t_pose_m

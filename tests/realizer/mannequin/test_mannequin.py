@@ -6,9 +6,8 @@ import pytest
 from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.motion import SHAPES
-from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton
+from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton, arm_joints
 from understudy.realizer.geometry.rotations import IDENTITY, from_axis_angle
-from understudy.realizer.gestures.arm_joints import arm_joints
 from understudy.realizer.mannequin.carrying import t_pose_m
 from understudy.realizer.mannequin.eyes import BALL_M
 from understudy.realizer.mannequin.face import MOUTH_HALF_M

@@ -6,7 +6,7 @@ import numpy as np
 
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton
-from understudy.realizer.geometry.easing import minimum_jerk
+from understudy.realizer.geometry.curves import minimum_jerk
 from understudy.realizer.geometry.rotations import IDENTITY, from_axis_angle, multiply
 from understudy.realizer.torso.balance import hips_height_m, set_legs
 

@@ -7,10 +7,21 @@ import numpy as np
 import pytest
 
 from understudy.model import Behavior, Channel, FloatArray, Interval, Schedule, SyncPoints, Word
+from understudy.model.figure import Looks, Physique
 from understudy.realizer.body.motion import SHAPES, BodyMotion, Motion
+from understudy.realizer.body.proportions import Proportions
 from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton
 from understudy.realizer.geometry.rotations import IDENTITY, from_axis_angle
-from understudy.realizer.pictures.contact_sheet import Still, draw_sheet, draw_stills, moments_of
+from understudy.realizer.pictures.contact_sheet import (
+    BACKGROUND,
+    BODY_HEIGHT,
+    CELL_WIDTH,
+    Still,
+    draw_characters,
+    draw_sheet,
+    draw_stills,
+    moments_of,
+)
 
 pytest.importorskip("matplotlib", reason="contact sheets need matplotlib")
 
@@ -98,3 +109,21 @@ def test_motion_that_nothing_is_said_of_is_shown_at_equal_distances() -> None:
     times_s = motion.body.times_s
     found = [time_s for time_s, _caption in moments_of(motion, replace(SCHEDULE, behaviors=()), at_most=3)]
     assert found == [times_s[0], times_s[round((len(times_s) - 1) / 2)], times_s[-1]]
+
+
+def test_the_taller_stands_higher_in_the_picture() -> None:
+    image = pytest.importorskip("matplotlib.image", reason="pictures need matplotlib")
+    bodies = {
+        name: (Skeleton.standing(Proportions(Physique(height_m=height_m))), Looks())
+        for name, height_m in (("small", 1.5), ("tall", 1.9))
+    }
+    picture = image.imread(io.BytesIO(draw_characters(bodies)))[..., :3]
+    assert picture.shape[1] == 2 * CELL_WIDTH
+    ground = BACKGROUND ** (1 / 2.2)
+    tops = []
+    for column in range(2):
+        front = picture[:BODY_HEIGHT, column * CELL_WIDTH : (column + 1) * CELL_WIDTH]
+        drawn = (abs(front - ground) > 0.1).any(axis=2).any(axis=1)
+        tops.append(int(drawn.argmax()))
+    per_m = BODY_HEIGHT / 2.12
+    assert tops[0] - tops[1] == pytest.approx(0.4 * per_m, abs=3)

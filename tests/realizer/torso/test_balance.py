@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 
 from understudy.realizer.body.skeleton import Skeleton, forward
-from understudy.realizer.geometry.angles import from_pitch_yaw_roll
-from understudy.realizer.geometry.rotations import IDENTITY, to_rotation_vector
+from understudy.realizer.geometry.rotations import IDENTITY, from_pitch_yaw_roll, to_rotation_vector
 from understudy.realizer.torso.balance import hips_height_m, set_legs, standing
 
 BODY = Skeleton.standing()

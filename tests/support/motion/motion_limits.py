@@ -9,7 +9,7 @@ from understudy.realizer.body.limits import violations
 from understudy.realizer.body.motion import Motion
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.geometry.rotations import angle_between
-from understudy.realizer.head_and_gaze.gaze_geometry import EYES
+from understudy.realizer.head_and_gaze.gaze import EYES
 
 HEAD_DEGREES_S = 250.0
 """In the world, in any frame."""

@@ -5,7 +5,7 @@ import numpy as np
 from understudy.model import Behavior, Channel, FloatArray, Schedule, SyncPoints
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton
-from understudy.realizer.head_and_gaze.gaze_geometry import EYES, Face, chest, face, fixation_point_m
+from understudy.realizer.head_and_gaze.gaze import EYES, Face, chest, face, fixation_point_m
 
 BODY = Skeleton.standing()
 

@@ -3,7 +3,7 @@
 import pytest
 
 from understudy.model.figure import Looks
-from understudy.realizer.mannequin.colours import MATERIALS, colours_of
+from understudy.realizer.mannequin.looks import MATERIALS, colours_of
 
 
 def test_srgb_becomes_linear_light() -> None:

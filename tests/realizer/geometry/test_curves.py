@@ -2,8 +2,16 @@
 
 import numpy as np
 import pytest
+import scipy.ndimage
 
-from understudy.realizer.geometry.easing import minimum_jerk, minimum_jerk_through, plateau, superposed_movements
+from understudy.realizer.geometry.curves import (
+    minimum_jerk,
+    minimum_jerk_through,
+    plateau,
+    smooth,
+    smoothed,
+    superposed_movements,
+)
 
 TIMES_S = np.arange(0, 4001) / 1000
 
@@ -34,3 +42,20 @@ def test_a_course_rests_in_each_of_its_values() -> None:
 def test_a_plateau_is_held_between_and_zero_outside(reached_s: float) -> None:
     course = plateau(TIMES_S, 0.5, reached_s, 2.0, 2.0)
     assert course[[0, 500, 1001, 2000, 2002]] == pytest.approx([0, 0, 1, 1, 0])
+
+
+@pytest.mark.parametrize("shape", [(200, 3), (200, 19, 4), (5, 1), (2, 19, 4)])
+@pytest.mark.parametrize("width", [0.9, 1.8, 13.2])
+def test_curves_are_smoothed_as_by_scipy(shape: tuple[int, ...], width: float) -> None:
+    curves = np.random.default_rng(0).normal(size=shape)
+    expected = scipy.ndimage.gaussian_filter1d(curves, width, axis=0, mode="nearest")
+    assert np.abs(smoothed(curves, width) - expected).max() < 1e-12
+
+
+@pytest.mark.parametrize("frames", [1, 5, 1920, 1925, 4500])
+def test_long_curves_are_smoothed_in_place_as_whole_ones_are(frames: int) -> None:
+    curves = np.random.default_rng(0).normal(size=(frames, 5, 4))
+    expected = smoothed(curves, 1.8)
+    smooth(curves[:, 1:4], 1.8)
+    assert np.abs(curves[:, 1:4] - expected[:, 1:4]).max() < 1e-12
+    assert np.array_equal(curves[:, ::4], np.random.default_rng(0).normal(size=(frames, 5, 4))[:, ::4])

@@ -5,9 +5,8 @@ import pytest
 
 from understudy.model.figure import Legwear, Sex
 from understudy.realizer.body.skeleton import Skeleton
-from understudy.realizer.mannequin.body import drawn_capsules, garments_of
+from understudy.realizer.mannequin.body import FOLDS, drawn_capsules, folded, garments_of
 from understudy.realizer.mannequin.carrying import t_pose_m
-from understudy.realizer.mannequin.cloth import FOLDS, folded
 from understudy.realizer.mannequin.surface import Surface, mesh
 
 BODY = Skeleton.standing()

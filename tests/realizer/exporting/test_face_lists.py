@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 from tests.support.motion.hand_made_motion import BODY, X, Y, Z, turned, waving
+from understudy.model import Interval, Viseme
 from understudy.realizer.body.motion import SHAPES, Motion
-from understudy.realizer.exporting.arkit_csv import COLUMNS, to_arkit_csv
+from understudy.realizer.exporting.face_lists import COLUMNS, to_arkit_csv, to_viseme_text
 from understudy.realizer.geometry.rotations import from_axis_angle
 
 
@@ -47,3 +48,25 @@ def test_turns_to_the_left_up_and_to_the_left_shoulder_are_positive(
     row = rows(turned(joint, from_axis_angle(axis, np.array(angle))))[0]
     expected = {f"{part}{each}": 0.3 if each == turn else 0.0 for each in ("Yaw", "Pitch", "Roll")}
     assert {name: float(row[name]) for name in expected} == pytest.approx(expected, abs=1e-6)
+
+
+def viseme(label: str, start_s: float, end_s: float) -> Viseme:
+    return Viseme(label, Interval(start_s, end_s), 0.8, 0.4)
+
+
+@pytest.mark.parametrize(
+    ("visemes", "lines"),
+    [
+        (
+            (viseme("PP", 0.1, 0.2), viseme("aa", 0.2, 0.5)),
+            ["0.000 sil", "0.100 PP", "0.200 aa", "0.500 sil", "1.000 sil"],
+        ),
+        ((viseme("PP", 0.0, 0.2), viseme("aa", 0.4, 1.0)), ["0.000 PP", "0.200 sil", "0.400 aa", "1.000 sil"]),
+        ((viseme("nn", 0.0, 0.2), viseme("nn", 0.2, 1.0)), ["0.000 nn", "1.000 sil"]),
+        ((viseme("sil", 0.0, 1.0),), ["0.000 sil"]),
+        ((), ["0.000 sil", "1.000 sil"]),
+    ],
+)
+def test_text_has_a_line_for_each_change(visemes: tuple[Viseme, ...], lines: list[str]) -> None:
+    found = to_viseme_text(visemes, 1.0).decode()
+    assert found.replace("\t", " ").splitlines() == lines

@@ -1,21 +1,80 @@
-"""A shrug is seen in the shoulders."""
+"""A pointing arm is on the line to its target, also where the trunk leans."""
 
 import numpy as np
 import pytest
 
 from tests.support.motion.movements import BODY, TIMES_S, behavior, schedule
-from understudy.model import Channel, FloatArray, Hand
-from understudy.models import load_gestures
+from understudy.model import Channel, FloatArray, Hand, Schedule, Target
+from understudy.models import load_gestures, load_realizer
 from understudy.realizer.body.limits import violations
-from understudy.realizer.body.motion import BodyMotion
+from understudy.realizer.body.motion import BodyMotion, Motion
 from understudy.realizer.body.movement_style import IdleLife
-from understudy.realizer.body.skeleton import forward
-from understudy.realizer.geometry.rotations import angle_between, rotate
+from understudy.realizer.body.skeleton import Skeleton, forward
+from understudy.realizer.geometry.rotations import angle_between, from_axis_angle, rotate
 from understudy.realizer.gestures.gesture_plan import GesturePlan
+from understudy.realizer.realizing import realize
 from understudy.realizer.scheduling.gesture_controller import apply_gestures
 from understudy.realizer.scheduling.planning import plan_gestures
 from understudy.realizer.torso.idle import idle_motion
-from understudy.realizer.torso.shoulders_and_neck import LIFTS_DEG, with_neck_reaching, with_shrugs
+from understudy.realizer.torso.upper_body import LIFTS_DEG, with_hanging_arms, with_neck_reaching, with_shrugs
+
+LAMP = Target("lamp", (1.0, 1.5, 1.9))
+POINTING = behavior(Channel.GESTURE, "POINT_LEFT", 1.2, 1.7, 1.7, 2.0, 2.1, 3.2, 3.8, hand=Hand.LEFT, target="lamp")
+
+
+def off_line_deg(skeleton: Skeleton, motion: Motion, at_s: float) -> float:
+    """The angle at the shoulder between the left wrist and the lamp."""
+    frame = round(at_s * motion.frame_rate_hz)
+    places_m, _turned = forward(skeleton, motion.body.rotations[frame], motion.body.hips_m[frame])
+    shoulder_m, wrist_m = (places_m[joint] for joint in skeleton.chain("leftUpperArm", "leftHand"))
+    hand, way = wrist_m - shoulder_m, np.array(LAMP.position_m) - shoulder_m
+    return float(np.degrees(np.arccos(unit(hand) @ unit(way))))
+
+
+def unit(vector: FloatArray) -> FloatArray:
+    return np.asarray(vector / np.linalg.norm(vector))
+
+
+@pytest.mark.parametrize("lean", ["LEAN_LEFT", "LEAN_RIGHT", "LEAN_BACK"])
+def test_an_arm_points_at_its_target_while_the_body_leans(lean: str) -> None:
+    realizer = load_realizer()
+    leaning = behavior(Channel.POSTURE, lean, 0.3, 1.0, 4.0, 4.8)
+    motion = realize(realizer, Schedule((POINTING, leaning), 6.0, targets=(LAMP,)))
+    stroke_end_s = motion.realized[POINTING.id].stroke_end
+    assert stroke_end_s is not None
+    assert off_line_deg(realizer.skeleton, motion, stroke_end_s) < 13
+
+
+LEANING = idle_motion(BODY, TIMES_S, schedule(behavior(Channel.POSTURE, "LEAN_LEFT", 1.0, 2.0)), seed=4)
+
+
+def aside_deg(body: BodyMotion, side: str) -> FloatArray:
+    """Of the upper arm from straight down, in the frontal plane (T,)."""
+    places_m = forward(BODY, body.rotations, body.hips_m)[0]
+    arm, elbow = BODY.chain(f"{side}UpperArm", f"{side}LowerArm")
+    way = places_m[:, elbow] - places_m[:, arm]
+    return np.degrees(np.arctan2(way[:, 0], -way[:, 1]))
+
+
+def test_hanging_arms_stay_as_they_hang_while_the_trunk_leans() -> None:
+    straight = with_hanging_arms(BODY, LEANING)
+    before, after = TIMES_S < 0.9, TIMES_S > 2.2
+    for side in ("left", "right"):
+        swings = [
+            abs(aside_deg(body, side)[after].mean() - aside_deg(body, side)[before].mean())
+            for body in (LEANING, straight)
+        ]
+        assert swings[0] > 3
+        assert swings[1] < 0.5 * swings[0]
+
+
+def test_a_raised_arm_goes_with_the_ribs() -> None:
+    rotations = LEANING.rotations.copy()
+    rotations[:, BODY.index["leftUpperArm"]] = from_axis_angle((0.0, 0.0, 1.0), np.array(0.2))
+    raised = BodyMotion(TIMES_S, rotations, LEANING.hips_m)
+    arm = BODY.index["leftUpperArm"]
+    assert np.allclose(with_hanging_arms(BODY, raised).rotations[:, arm], rotations[:, arm], atol=1e-9)
+
 
 LIBRARY = load_gestures()
 

@@ -1,13 +1,19 @@
-"""Exports the face as a Live Link Face CSV: ARKit's 52 blendshapes and the rotations of head and eyes.
+"""Exports the face alone: as a Live Link Face CSV, ARKit's 52 blendshapes and the rotations of head and eyes; and the
+visemes as a timed list, as lip-sync tools exchange them.
 
-Conventions: one row per frame. Timecodes count from the first frame of the motion:
+Conventions of the CSV: one row per frame. Timecodes count from the first frame of the motion:
 hours:minutes:seconds:frame.thousandth of a frame. Angles are in radians; yaw to the character's left, pitch up and roll
 towards its left shoulder are positive. The head's angles are in the world, the eyes' relative to the head.
+
+Conventions of the list: each line is a time in seconds of the audio, a tab and a viseme that lasts until the next line
+(the format of Rhubarb Lip Sync); the last line is `sil`, as are gaps between visemes.
 """
+
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from ...model import FloatArray
+from ...model import FloatArray, Viseme
 from ..body.motion import SHAPES, Motion
 from ..body.skeleton import Skeleton, forward
 from ..geometry.rotations import rotate
@@ -68,3 +74,27 @@ def _yaw_pitch_roll(turns: FloatArray) -> FloatArray:
 def _timecode(frame: int, rate_hz: int) -> str:
     seconds, within = divmod(frame, rate_hz)
     return f"{seconds // 3600:02d}:{seconds // 60 % 60:02d}:{seconds % 60:02d}:{within:02d}.000"
+
+
+SILENCE = "sil"
+
+
+def to_viseme_text(visemes: Sequence[Viseme], duration_s: float) -> bytes:
+    """The list as text; `duration_s` is the audio's duration."""
+    return "".join(f"{start_s:.3f}\t{label}\n" for start_s, label in _changes(visemes, duration_s)).encode()
+
+
+def _changes(visemes: Sequence[Viseme], duration_s: float) -> Iterator[tuple[float, str]]:
+    """The start time of each viseme, with silences in the gaps."""
+    shown, until_s = None, 0.0
+    for each in visemes:
+        if each.interval.start_s > until_s + 5e-4 and shown != SILENCE:
+            yield until_s, SILENCE
+            shown = SILENCE
+        if each.label != shown:
+            yield each.interval.start_s, each.label
+        shown, until_s = each.label, each.interval.end_s
+    if shown != SILENCE:
+        yield until_s, SILENCE
+    if duration_s > until_s:
+        yield duration_s, SILENCE

@@ -1,0 +1,167 @@
+"""Arms, shoulders and neck on a trunk that moves.
+
+Arms that point stay on the line from shoulder to target, however the trunk stands and leans. Poses are made for an
+upright body (`understudy.realizer.arms.posing`), and a stance of some degrees to the side would point past its target
+by as much. The upper arm is turned back as the hand gets there, and let go with the gesture.
+
+Arms that hang keep hanging straight down while the ribs bend to the side, as weights do, and stay off the hips.
+
+Shoulders shrug and the neck reaches forward, between a trunk and arms and head that are placed already. Both
+collarbones rise with the gestures that say who knows, and sink as they relax; the arms keep their orientation, so that
+hands rise with the shoulders and stay as they are turned. The neck is inclined in standing, nods along with strokes,
+and is never quite still; the head keeps its orientation, so gaze and head movements remain what they are.
+
+Conventions: radians; world axes, y up, z forward.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from types import MappingProxyType
+
+import numpy as np
+
+from ...model import FloatArray, Hand, Schedule
+from ..body.motion import BodyMotion
+from ..body.movement_style import IdleLife
+from ..body.skeleton import SIDES, Skeleton
+from ..geometry.curves import plateau
+from ..geometry.noise import perlin
+from ..geometry.rotations import IDENTITY, from_axis_angle, inverse, multiply, rotate, slerp
+from ..gestures.gesture_plan import ArmGesture, GesturePlan
+from .stance import idle_activity
+
+_TRUNK = ("hips", "spine", "chest", "upperChest")
+_LEFT_S = 0.4
+"""After the gesture's relax an arm that goes elsewhere has given up its aim."""
+
+
+def with_aimed_arms(skeleton: Skeleton, body: BodyMotion, arms: Sequence[ArmGesture]) -> BodyMotion:
+    """The body whose pointing arms are on their lines."""
+    aimed = [arm for arm in arms if arm.placed.aim_m is not None and not arm.placed.follows]
+    if not aimed:
+        return body
+    rotations = body.rotations.copy()
+    for arm in aimed:
+        share = _share(arm, body.times_s)
+        frames = np.flatnonzero(share > 0)
+        rotations[frames] = _turned(skeleton, rotations[frames], arm, share[frames])
+    return replace(body, rotations=rotations)
+
+
+def _share(arm: ArmGesture, times_s: FloatArray) -> FloatArray:
+    """How much the arm is on its line (T,): from the start of the gesture more and more, wholly from the stroke's."""
+    markers = arm.markers
+    left_s = max(markers.end, markers.relax + _LEFT_S)
+    points_s = np.maximum.accumulate([markers.start, markers.stroke_start, markers.relax, left_s])
+    share = np.interp(times_s, points_s, [0.0, 1.0, 1.0, 0.0])
+    return np.asarray(share * share * (3 - 2 * share))
+
+
+def _turned(skeleton: Skeleton, rotations: FloatArray, arm: ArmGesture, share: FloatArray) -> FloatArray:
+    """Local rotations with the upper arm turned back, by its share, by what the trunk is turned from upright."""
+    chest = rotations[:, 0]
+    for joint in skeleton.chain(*_TRUNK[1:]):
+        chest = multiply(chest, rotations[:, joint])
+    collarbone, upper = skeleton.chain(f"{arm.side.value}Shoulder", f"{arm.side.value}UpperArm")
+    carrying = multiply(chest, rotations[:, collarbone])
+    upright = slerp(np.broadcast_to(IDENTITY, chest.shape), inverse(chest), share)
+    turned = multiply(upright, multiply(carrying, rotations[:, upper]))
+    result = rotations.copy()
+    result[:, upper] = multiply(inverse(carrying), turned)
+    return result
+
+
+_HANGS, _WHOLLY = 0.80, 0.95
+"""The drop of the upper arm, as a share of its length, from which on and at which it counts as hanging."""
+_STRAIGHT = 0.85
+"""How much of the ribs' tilt a hanging arm does not follow."""
+_UP, _OUT, _FORWARD = np.array([0.0, 1.0, 0.0]), np.array([1.0, 0.0, 0.0]), (0.0, 0.0, 1.0)
+
+
+def with_hanging_arms(skeleton: Skeleton, body: BodyMotion) -> BodyMotion:
+    """The body whose arms, where they hang, do not follow the ribs' tilt to the side."""
+    rotations = body.rotations.copy()
+    chest = rotations[:, 0]
+    for joint in skeleton.chain(*_TRUNK[1:]):
+        chest = multiply(chest, rotations[:, joint])
+    up = rotate(chest, _UP)
+    tilt = np.arctan2(up[:, 0], up[:, 1])
+    for side, sign in zip(SIDES, (1.0, -1.0), strict=True):
+        collarbone, arm = skeleton.chain(f"{side}Shoulder", f"{side}UpperArm")
+        carrying = multiply(chest, rotations[:, collarbone])
+        turned = multiply(carrying, rotations[:, arm])
+        straight = from_axis_angle(_FORWARD, _STRAIGHT * tilt * _hanging(rotate(turned, sign * _OUT)))
+        rotations[:, arm] = multiply(inverse(carrying), multiply(straight, turned))
+    return replace(body, rotations=rotations)
+
+
+def _hanging(along: FloatArray) -> FloatArray:
+    """How much arms in these directions (T, 3) hang (T,): 0 to 1."""
+    share = np.clip((-along[:, 1] - _HANGS) / (_WHOLLY - _HANGS), 0.0, 1.0)
+    return np.asarray(share * share * (3 - 2 * share))
+
+
+LIFTS_DEG: Mapping[str, float] = MappingProxyType(
+    {"SHRUG": 14.0, "UNCERTAINTY": 12.0, "INDIFFERENCE": 11.0, "QUESTION": 5.0}
+)
+"""How far each gesture lifts the shoulders in its usual size; people's go up by 10 to 15°."""
+
+LEAST, MOST = 0.75, 1.2
+"""Shares of that in the smallest and the largest of them: a shrug of which nothing is seen is none."""
+
+SOONER_S = 0.06
+"""The shoulders are up a little before the hands."""
+
+SHORTEST_S = 0.35
+"""How long they stay up at least."""
+DOWN_S = 0.45
+_AXIS = (0.0, 0.0, 1.0)
+_RISING: Mapping[Hand, float] = MappingProxyType({Hand.LEFT: 1.0, Hand.RIGHT: -1.0})
+
+_WEAKER = 0.92
+"""The shoulder of the arm that does not gesture rises less."""
+
+
+def with_shrugs(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan) -> BodyMotion:
+    """The body with its shoulders lifted by the plan's shrugs."""
+    shrugs = [each for each in plan.gestures if each.placed.clip.category in LIFTS_DEG]
+    if not shrugs:
+        return body
+    rotations = body.rotations.copy()
+    for side in (Hand.LEFT, Hand.RIGHT):
+        raised = from_axis_angle(_AXIS, _RISING[side] * _lift(body.times_s, shrugs, side))
+        collarbone, arm = skeleton.chain(f"{side.value}Shoulder", f"{side.value}UpperArm")
+        before = rotations[:, collarbone].copy()
+        rotations[:, collarbone] = multiply(raised, before)
+        rotations[:, arm] = multiply(multiply(inverse(rotations[:, collarbone]), before), rotations[:, arm])
+    return replace(body, rotations=rotations)
+
+
+def _lift(times_s: FloatArray, shrugs: Iterable[ArmGesture], side: Hand) -> FloatArray:
+    """How far the shoulder of this side is lifted (T,): by the strongest shrug, if there are several at once."""
+    lift = np.zeros(len(times_s))
+    for arm in shrugs:
+        markers, placed = arm.markers, arm.placed
+        up_s = max(markers.stroke_end - SOONER_S, markers.stroke_start + 0.05)
+        left_s = max(markers.relax, up_s + SHORTEST_S)
+        size = min(max(placed.size, LEAST), MOST) * (1.0 if arm.side is side else _WEAKER)
+        course = plateau(times_s, markers.stroke_start - 0.1, up_s, left_s, left_s + DOWN_S)
+        lift = np.maximum(lift, np.radians(LIFTS_DEG[placed.clip.category]) * size * course)
+    return lift
+
+
+_NECK_HZ = 0.4
+
+
+def with_neck_reaching(
+    skeleton: Skeleton, body: BodyMotion, schedule: Schedule, strokes: FloatArray, *, seed: int, life: IdleLife
+) -> BodyMotion:
+    """The body with its neck inclined, by itself and by `strokes` (T,). Deterministic for a seed."""
+    noise = perlin(body.times_s, frequency_hz=_NECK_HZ, seed=seed + 4)[:, 0]
+    forward = np.radians(life.neck_forward_deg + life.neck_deg * idle_activity(schedule) * noise) + strokes
+    neck, head = skeleton.chain("neck", "head")
+    rotations = body.rotations.copy()
+    before = body.rotations[:, neck]
+    rotations[:, neck] = multiply(from_axis_angle((1.0, 0.0, 0.0), forward), before)
+    rotations[:, head] = multiply(inverse(rotations[:, neck]), multiply(before, body.rotations[:, head]))
+    return replace(body, rotations=rotations)
