@@ -23,7 +23,7 @@ from pathlib import Path, PurePosixPath
 
 from .cache import Cache
 from .errors import AuthoringError, InputError, Mistake, ServiceError
-from .resources import RULES, resource_folder
+from .files import RULES, resource_folder
 
 VARIABLE = "UNDERSTUDY_LEXICON"
 AUTHORED = frozenset({".rules", ".yaml", ".gesture"})

@@ -17,8 +17,8 @@ from threadpoolctl import threadpool_limits
 from .authored_folders import AUTHORED, laid_over, lexicon_folder, rules_folder, tables_of
 from .cache import Cache
 from .errors import InputError, did_you_mean, shown
+from .files import RULES, resource_folder
 from .on_demand import OnDemand
-from .resources import RULES, resource_folder
 
 if TYPE_CHECKING:
     from .acoustic.models import AcousticModels

@@ -9,9 +9,9 @@ import pytest
 from understudy import models as loading
 from understudy.behavior.characters.overlays import Characters
 from understudy.errors import AuthoringError
+from understudy.files import RULES, resource_folder
 from understudy.models import Understudy
 from understudy.realizer.gestures.library import Library
-from understudy.resources import RULES, resource_folder
 from understudy.rules.derivation import FunctionRules
 from understudy.rules.mapping import MappingRules
 from understudy.rules.stage import find_functions

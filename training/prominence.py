@@ -1,4 +1,4 @@
-"""Fits the weights of `understudy.acoustic.stress.prominence` to the stress that listeners heard in syllables.
+"""Fits the weights of `understudy.acoustic.stress` to the stress that listeners heard in syllables.
 
     python -m training.prominence [--speech FOLDER]
 
@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from sklearn.linear_model import LogisticRegression
 
 from training.emodb import read_judged
-from understudy.acoustic.contours import contours_of
-from understudy.acoustic.stress.prominence import cues, log_odds
+from understudy.acoustic.stage import contours_of
+from understudy.acoustic.stress import cues, log_odds
 from understudy.model import FloatArray
 
 SPEECH = Path(__file__).resolve().parents[2] / "shared" / "data" / "speech"

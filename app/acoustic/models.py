@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import Self
 
 from ..authored_folders import lexicon_folder
+from ..files import resource_folder
 from ..on_demand import OnDemand
-from ..resources import resource_folder
 from ..settings import Settings
 from .affect.affect_model import AffectModel
 from .affect.line_affect import AffectJudge, FeatureJudge

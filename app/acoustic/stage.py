@@ -1,7 +1,5 @@
-"""The acoustic stage: from a recording and its words to contours, agitation, and word times (paper §3.1).
-
-In order: `hear` times the words of a line and measures its signal, both at the same time, for the aligner is a process
-of its own; `with_prosody` adds how the parsed words sound.
+"""The acoustic stage: from a recording and its words to contours (all frame-wise measurements of a signal), agitation,
+and word times (paper §3.1).
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -39,13 +37,20 @@ from .affect.manner import word_manners
 from .agitation.voice_quality import voice_quality
 from .alignment.alignment import Alignment
 from .alignment.timings import read_fillers, read_timings
-from .contours import contours_of
 from .models import AcousticModels
-from .signal.background import doubts
+from .pitch.pitch import track_f0
 from .signal.decoding import AudioLimits, decode
-from .stress.prominence import prominence, with_listeners
-from .stress.stress import Measure, stress, with_emphasis
+from .signal.spectrum import doubts, energy_db, mel_db, mfcc
+from .stress import Measure, prominence, stress, with_emphasis, with_listeners
 from .unheard import UnheardLine, pace_words, unheard_utterance
+
+
+def contours_of(audio: Audio) -> Contours:
+    """The contours of `audio` (paper §3.1.1 to §3.1.3)."""
+    f0_hz = track_f0(audio)  # first, since it needs the most memory
+    levels_db = mel_db(audio)
+    return Contours(energy_db=energy_db(audio), f0_hz=f0_hz, mfcc=mfcc(levels_db), mel_db=levels_db)
+
 
 RETRY_S = 0.05
 """An interrupted alignment that had not reached its process is interrupted again after so long."""

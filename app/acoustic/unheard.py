@@ -4,7 +4,7 @@ synthesizer).
 
 Where only the text is known, each phrase between pauses has its accent on the word that the text marks as emphasized,
 else on its last content word (the nuclear stress rule, Chomsky & Halle 1968); other content words stand over function
-words. In a synthesizer's times accents can be heard by their length (`understudy.acoustic.stress.prominence`). Words
+words. In a synthesizer's times accents can be heard by their length (`understudy.acoustic.stress`). Words
 that the text marks share the line's focus; without marks the focus is not known.
 """
 
@@ -36,8 +36,7 @@ from .affect.manner import unheard_manners
 from .alignment.timings import read_fillers, read_timings
 from .models import AcousticModels
 from .pacing.pacing import paced, timed_elsewhere
-from .stress.prominence import PAUSE_S, prominence
-from .stress.stress import Measure, with_emphasis
+from .stress import PAUSE_S, Measure, prominence, with_emphasis
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,6 +12,7 @@ from ..authored_folders import lexicon_folder, origin, tables_of
 from ..behavior.characters.overlays import Character, Characters
 from ..behavior.reading.families import Families, FamilyBehavior, family_rule
 from ..errors import InputError, did_you_mean
+from ..files import RULES
 from ..model import Level
 from ..models import (
     load_characters,
@@ -20,7 +21,6 @@ from ..models import (
     load_gestures,
     load_mapping_rules,
 )
-from ..resources import RULES
 from ..rules.derivation import FunctionRules
 from ..rules.lexicon import SLOT, LexicalEntry
 from ..rules.mapping import MappingRules

@@ -16,10 +16,10 @@ from ..authored_folders import lexicon_folder, tables_of
 from ..behavior.candidates.attitudes import load_attitudes
 from ..behavior.characters.overlays import Characters
 from ..behavior.listeners.listening import HeadRates
-from ..behavior.reading.authored_weights import TermNames, load_weights
 from ..behavior.reading.choice_model import ChoiceModel
 from ..behavior.reading.families import load_families
 from ..behavior.reading.mimes import MimeTable
+from ..behavior.reading.planner import TermNames, load_weights
 from ..behavior.reading.terms import TermTable
 from ..behavior.slots.table import SlotTable
 from ..behavior.table.behavior_table import BehaviorEntry, load_table
@@ -28,6 +28,7 @@ from ..bml.reading.element_behaviors import LexemeAliases
 from ..bml.writing.smartbody_tables import FILE as SMARTBODY
 from ..bml.writing.smartbody_tables import SmartBodyTables
 from ..errors import AuthoringError, Mistake, collected
+from ..files import resource_folder
 from ..live.table import FILE as LIVE
 from ..live.table import LiveTable
 from ..model import Channel, Hand, Level
@@ -47,7 +48,6 @@ from ..realizer.gestures.gesture import Definition
 from ..realizer.gestures.library import ALIASES, Library, gesture_files, read_aliases, read_definitions
 from ..realizer.mpeg4.fap import TABLE as FAPS
 from ..realizer.mpeg4.fap import FapTable
-from ..resources import resource_folder
 from ..rules.priorities import Conflicts, Priorities
 from ..text.tag_table import FILE as TAGS
 from ..text.tag_table import TagTable

@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import TypeVar
 
 from ..errors import AuthoringError, InputError, Mistake, collected
+from ..files import resource_folder
 from ..model import Function, Utterance, Word
 from ..models import Understudy
-from ..resources import resource_folder
 from ..rules.derivation import understand
 from ..rules.lexicon import SLOT, Lexicon
 from ..rules.mapping import offer_movements

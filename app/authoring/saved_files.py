@@ -14,7 +14,7 @@ from pathlib import Path
 
 from ..authored_folders import AUTHORED, checkout_name, lexicon_folder, name_in_checkout, origin, rules_folder
 from ..errors import ChangedError, ForbiddenError, InputError, did_you_mean, shown
-from ..whole_files import replace_file
+from ..files import replace_file
 
 _OWN_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]*")
 

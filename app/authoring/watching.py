@@ -11,7 +11,7 @@ from threading import Event
 from watchfiles import watch
 
 from ..authored_folders import AUTHORED, layers, lexicon_folder, rules_folder
-from ..resources import RULES
+from ..files import RULES
 
 QUIET_MS = 200
 """A save is complete when nothing has changed for this long: editors write in steps."""

@@ -21,7 +21,7 @@ FEWEST_RECORDINGS = 4
 """With fewer recordings a speaker has no reference: what they have in common may be the mood."""
 
 MOST_RECORDINGS = 24
-"""More add little: the average speaker counts as 3 recordings in the mean (`understudy.acoustic.agitation.speaker`)."""
+"""More add little: the average speaker counts as 3 recordings in the mean (`SpeakerModel`)."""
 
 
 def reference_jobs(recordings: Iterable[tuple[str, AudioSource]]) -> tuple[ReferenceJob, ...]:

@@ -37,13 +37,11 @@ from .candidates.demands import banned_by, beside, demanded, kept_free, named, p
 from .candidates.notes import directed, unplayed_notes
 from .candidates.planned import candidates_of
 from .candidates.targets import mentions, pointing_candidates, without_overlapped
-from .characters.abstaining import abstaining, forbidden
 from .characters.gesture_forms import FormedCharacters
-from .characters.overlays import Character, Characters
+from .characters.overlays import Character, Characters, abstaining, forbidden
 from .choice.offered import NEAR, not_taken
 from .choice.scheduling import numbered, schedule
-from .listeners.addressees import addressed, placed_listeners
-from .listeners.listening import HeadRates, Listener, listen
+from .listeners.listening import HeadRates, Listener, addressed, listen, placed_listeners
 from .reading.families import Families
 from .reading.planner import Planner
 from .reading.planning import Plan, Understood, meanings, plan, times_s_of
@@ -51,16 +49,18 @@ from .reading.player import Ban, Player, banned
 from .reading.supports import supports_of
 from .slots.gestures import with_slots
 from .slots.table import SlotTable
-from .speaker_profiles.gesture_scripts import (
+from .speaker_profiles import (
+    as_listener,
+    as_speaker,
     gesture_script,
+    listening_postures,
     repertoire_of,
     scripted_behaviors,
+    speaking_postures,
     without_chosen_gestures,
     without_planned_gestures,
 )
-from .speaker_profiles.habits import as_listener, as_speaker, listening_postures, speaking_postures
-from .speech.phrasing import expanded_in_rhemes
-from .speech.visemes import visemes
+from .speech import expanded_in_rhemes, visemes
 from .timing.phases import with_manner
 
 QUANTITY = MappingProxyType({Level.LOW: 0.85, Level.MEDIUM: 1.0, Level.HIGH: 1.3})

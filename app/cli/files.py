@@ -14,7 +14,7 @@ from pathlib import Path
 from stat import S_ISREG
 
 from ..errors import InputError, TooLargeError, UndecodableError
-from ..whole_files import replace_file
+from ..files import replace_file
 
 STANDARD = "-"
 LARGEST_CHARACTER_BYTES = 4

@@ -1,6 +1,6 @@
 """Moves sync points as an author asked, and makes room for edited behaviours. Times are seconds, whole milliseconds.
 
-The other points follow and keep their order. As in BML edited by hand (`understudy.bml.reading.moved_points`), strokes
+The other points follow and keep their order. As in BML edited by hand (`understudy.bml.reading.reader`), strokes
 are never stretched: moving `stroke`, `stroke_end`, `stroke_start` or `ready` moves the whole behaviour. `start` and
 `relax` move alone, which lengthens or shortens the preparation or the hold, and `end` moves with `relax`. A behaviour
 without a stroke moves with `ready`. Nothing begins before 0, no stroke ends after `end_s`.

@@ -15,7 +15,7 @@ from ..realizer.body.skeleton import Skeleton
 from ..realizer.exporting.extras import require_writer
 from ..realizer.exporting.retargeting import find_rig, load_rigs
 from ..realizer.physics.tracking import require_physics
-from ..rules.given import given_facts
+from ..rules.derivation import given_facts
 from ..rules.priorities import Priorities
 from ..settings import Settings
 from ..text.transcript import read_transcript

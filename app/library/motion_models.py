@@ -6,10 +6,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Literal
 
-from ..acoustic.contours import contours_of
 from ..acoustic.signal.decoding import decode
-from ..acoustic.stage import audio_limits
+from ..acoustic.stage import audio_limits, contours_of
 from ..errors import InputError, did_you_mean, shown
+from ..files import resource_folder
 from ..model import FRAME_SHIFT_S, AffectTrack, Analysis, Performance
 from ..model.progress import Progress, no_progress
 from ..models import Understudy
@@ -25,7 +25,6 @@ from ..prosody_gestures.trellis import EVERYTHING, Search
 from ..realization import PreparedSchedule, RealizedSchedule, Realizer, realize_prepared
 from ..realizer.body.motion import Motion
 from ..realizer.body.skeleton import Skeleton
-from ..resources import resource_folder
 from ..schemas.affect import read_affect_track
 from ..schemas.options import check_options, check_realize_options
 from ..settings import Settings, read_settings

@@ -6,10 +6,10 @@ from typing import Self
 from ..acoustic.pacing.phone_durations import FILE as DURATIONS
 from ..acoustic.pacing.phone_durations import PhoneDurations
 from ..authored_folders import lexicon_folder
+from ..files import resource_folder
 from ..models import Understudy
 from ..motion_models.model import MotionModel
 from ..prosody_gestures.voice_model import VoiceModel
-from ..resources import resource_folder
 from .mouth import MouthModel
 from .table import FILE as LIVE
 from .table import LiveTable

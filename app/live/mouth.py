@@ -3,7 +3,7 @@ spectrum of .025 s, every `SHIFT_S`. Windows do not look ahead, so a shape is se
 
 The spectrum's bands are judged by linear discriminants with one covariance for all shapes (`models/live/mouth.npz`,
 made by `training.live.mouth`), their levels beside the loudest lately. Where the words are known, their phones are the
-better mouth (`understudy.behavior.speech.visemes`).
+better mouth (`understudy.behavior.speech`).
 """
 
 import io
@@ -15,7 +15,7 @@ from typing import Self
 import numpy as np
 
 from ..acoustic.signal.spectrum import mel_filters
-from ..behavior.speech.visemes import LEAST_ARTICULATION
+from ..behavior.speech import LEAST_ARTICULATION
 from ..errors import ServiceError
 from ..model import SAMPLE_RATE_HZ, FloatArray
 from ..model.tables import OPENINGS, SILENCE

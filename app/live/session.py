@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..behavior.characters.abstaining import abstaining, never_shown
+from ..behavior.characters.overlays import abstaining, never_shown
 from ..errors import InputError
 from ..model import Affect, Behavior, FloatArray, Word
 from ..motion_models.playing import UnitPlayer

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..model import FloatArray
-from ..prosody_gestures.mixtures import drawn_apart
+from ..prosody_gestures.estimation import drawn_apart
 from ..prosody_gestures.semi_markov import IntArray, Segment
 from ..realizer.geometry.rotations import inverse, multiply, to_rotation_vector
 

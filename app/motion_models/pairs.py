@@ -20,8 +20,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..acoustic.contours import contours_of
 from ..acoustic.signal.decoding import AudioLimits, decode
+from ..acoustic.stage import contours_of
 from ..bvh import read_bvh
 from ..errors import InputError
 from ..model import AffectTrack, FloatArray

@@ -15,9 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..model import FRAME_SHIFT_S, FloatArray
-from .context import LOOKAHEAD_S, ProsodyContext
 from .live_decoder import Commitment, LiveDecoder, Piece
-from .prosody import HALF_WINDOW_S, ProsodyNormalizer, raw_frame, whole_frames
+from .prosody import HALF_WINDOW_S, LOOKAHEAD_S, ProsodyContext, ProsodyNormalizer, raw_frame, whole_frames
 from .semi_markov import FRAME_S
 from .trellis import EVERYTHING, Search
 from .voice_model import PartModel, VoiceModel

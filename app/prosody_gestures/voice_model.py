@@ -20,12 +20,10 @@ from typing import Self
 import numpy as np
 
 from ..errors import InputError, ServiceError
+from ..files import replace_file
 from ..model import FloatArray
-from ..whole_files import replace_file
-from .context import WIDTH, in_context
-from .counting import CountSmoothing, count
-from .mixtures import MixtureOptions, fit_mixtures
-from .prosody import features, raw_frames
+from .estimation import CountSmoothing, MixtureOptions, count, fit_mixtures
+from .prosody import WIDTH, features, in_context, raw_frames
 from .semi_markov import IntArray, MixtureEmissions, Segment, SemiMarkovModel, states_by_frame
 from .trellis import EVERYTHING, Search, Trellis
 

@@ -12,8 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..behavior.idle.stillness import stilled
-from ..behavior.speech.phrasing import emphases_s, phrases
-from ..behavior.speech.visemes import visemes
+from ..behavior.speech import emphases_s, phrases, visemes
 from ..bml.markup.documents import Document
 from ..bml.markup.speech import speech_of
 from ..bml.reading.pawns import scene_of

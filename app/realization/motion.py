@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from ..behavior.speech.phrasing import emphases_s, phrases
+from ..behavior.speech import emphases_s, phrases
 from ..errors import did_you_mean
 from ..model import Behavior, Channel, Notice, Performance, Schedule
 from ..realizer.body.motion import Motion

@@ -2,25 +2,103 @@
 
 The rules are in `functions/*.rules` over the predicates of `vocabulary.rules`, the words in `lexicon/en/`. The existing
 functions and their base priorities are in `functions/priorities.yaml`, those that compete in
-`functions/conflicts.yaml`. A higher priority means more important.
+`functions/conflicts.yaml`. A higher priority means more important. Functions that the author or an agent gives with a
+line take part in the derivation as facts, keep their own priority, and win every conflict with derived ones.
+
+A long line is divided into passages, to which rules are applied one by one: many rules compare words with words, so the
+cost for a whole line would grow with the square of its length, or worse. A passage is as many whole sentences as have
+at most `LONGEST_PASSAGE` words together, so a line of up to a minute is one passage and unaffected. In longer lines,
+rules do not see from one passage into the next: a noun last mentioned a minute ago counts as new.
 """
 
+from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import TypeVar
 
-from ..errors import AuthoringError, Mistake, collected
+from ..errors import AuthoringError, InputError, Mistake, collected
 from ..model import Analysis, Because, Fact, Function, GivenFunction, Utterance
 from ..yaml_files import Source
 from .chaining.chainer import Derivation, derive
-from .chaining.facts import utterance_facts
-from .given import GIVEN, GIVEN_RULE, given_facts
+from .chaining.facts import LONGEST_SENTENCE, utterance_facts
 from .lexicon import Lexicon
-from .passages import by_passage, passage_starts
 from .priorities import Conflicts, Priorities, resolved
 from .program.program import PRINTED, Program, load_program
+
+LONGEST_PASSAGE = LONGEST_SENTENCE
+"""Words, about a minute of speech; no sentence is longer."""
+
+_OF_THE_LINE = "utterance"
+"""The predicate for the whole line, which is included in every passage, as are facts without a position."""
+
+
+def passage_starts(facts: Iterable[Fact]) -> list[int]:
+    """The boundaries at which the passages begin, given the sentences among `facts`; the first is 0."""
+    sentences = sorted(fact.arguments for fact in facts if fact.predicate == "sentence")
+    starts = [0]
+    for begin, end in sentences:
+        assert isinstance(begin, int)
+        assert isinstance(end, int)
+        if end - starts[-1] > LONGEST_PASSAGE:
+            starts.append(begin)
+    return starts
+
+
+def by_passage(starts: Sequence[int], facts: Iterable[Fact]) -> list[list[Fact]]:
+    """The facts of each passage: those that begin in it, those at its end, and all without a position. Whole numbers
+    among the arguments are positions: boundaries between words."""
+    parts: list[list[Fact]] = [[] for _ in starts]
+    for fact in facts:
+        places = {place for place in fact.arguments if isinstance(place, int)}
+        if not places or fact.predicate == _OF_THE_LINE:
+            for part in parts:
+                part.append(fact)
+            continue
+        begin = min(places)
+        number = max(bisect_right(starts, begin) - 1, 0)
+        parts[number].append(fact)
+        if len(places) == 1 and number and starts[number] == begin:
+            parts[number - 1].append(fact)
+    return parts
+
+
+GIVEN_PRIORITY = 10.0
+"""The default priority, above all that rules derive, so that the movements for them win as well."""
+
+GIVEN_RULE = "given"
+GIVEN = Because(fact="given with the line")
+"""The support of a given function; `GIVEN_RULE` stands in place of its rule."""
+
+FIELD = "functions"
+
+
+def given_facts(given: Sequence[GivenFunction], priorities: Priorities, *, words: int) -> Mapping[Fact, float]:
+    """The functions as facts with their priorities; if a function is given twice the higher priority counts.
+
+    Raises InputError `functions_class` for an unknown class or subtype, `functions_span` for words that are not among
+    the line's `words`.
+    """
+    facts: dict[Fact, float] = {}
+    for number, function in enumerate(given):
+        _check(number, function, priorities, words)
+        fact = Fact("fcn", (function.class_name, function.subtype, function.first, function.last + 1))
+        priority = GIVEN_PRIORITY if function.priority is None else function.priority
+        facts[fact] = max(priority, facts.get(fact, priority))
+    return facts
+
+
+def _check(number: int, function: GivenFunction, priorities: Priorities, words: int) -> None:
+    where = f"functions[{number}]"
+    reason = priorities.unknown(function.class_name, function.subtype)
+    if reason:
+        raise InputError("functions_class", f"{where}: {reason}", field=FIELD)
+    if not 0 <= function.first <= function.last < words:
+        span = f"first {function.first}, last {function.last}"
+        limits = f"the line's words are 0 to {words - 1}, and first comes before last"
+        raise InputError("functions_span", f"{where}: {span}: {limits}", field=FIELD)
+
 
 Value = TypeVar("Value")
 

@@ -29,8 +29,8 @@ from ..model import (
 )
 from .chaining.chainer import Call, Choice, derive
 from .chaining.facts import utterance_facts
+from .derivation import by_passage, passage_starts
 from .language.tree import ChooseClause
-from .passages import by_passage, passage_starts
 from .program.program import PRINTED, Program, Rule, load_program
 
 

@@ -8,7 +8,7 @@ Validates communicative functions supplied with a line (`--functions FILE`, the 
 
 A JSON list: `[{"class": "deixis", "subtype": "self", "first": 0, "last": 0, "priority": 5}, …]`; `subtype` is omitted
 where the class has none, `priority` for a function that takes precedence over all derived ones. Only the format is
-checked here; `understudy.rules.given` checks functions and words against the rules and the transcript.
+checked here; `understudy.rules.derivation` checks functions and words against the rules and the transcript.
 """
 
 import json

@@ -19,7 +19,7 @@ from fastapi import APIRouter, Request
 from starlette.exceptions import HTTPException
 from starlette.responses import FileResponse, Response
 
-from ..resources import resource_folder
+from ..files import resource_folder
 from .scenes import OpenedScene, file_inside
 
 FOLDER = Path(__file__).parent / "page"

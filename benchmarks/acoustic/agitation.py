@@ -37,8 +37,8 @@ from training.agitation.measuring import measured
 from understudy.acoustic.agitation.agitation import AgitationModel
 from understudy.acoustic.agitation.utterance_features import FEATURE_SETS, paper_features
 from understudy.acoustic.agitation.voice_quality import voice_quality
-from understudy.acoustic.contours import contours_of
 from understudy.acoustic.signal.spectrum import mel_db, mfcc
+from understudy.acoustic.stage import contours_of
 from understudy.model import Audio, Contours, FloatArray
 from understudy.model.voice.signal import SpeakerReference
 

@@ -27,13 +27,13 @@ from benchmarks.acoustic.prominence import content_over_function, placed_words
 from training.alignment.timit import Sentence, read_sentences
 from training.prominence import SPEECH
 from understudy.acoustic.alignment.alignment import Aligner
-from understudy.acoustic.contours import contours_of
 from understudy.acoustic.focus.focus import FocusModel
 from understudy.acoustic.focus.listeners import Listeners
 from understudy.acoustic.signal.decoding import AudioLimits, decode
-from understudy.acoustic.stress.prominence import prominence
+from understudy.acoustic.stage import contours_of
+from understudy.acoustic.stress import prominence
+from understudy.files import resource_folder
 from understudy.model import Audio, Contours, FloatArray, Word
-from understudy.resources import resource_folder
 from understudy.text.transcript import read_transcript
 
 DELIVERIES = SPEECH.parents[1] / "directing" / "deliveries"

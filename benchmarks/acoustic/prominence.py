@@ -27,12 +27,11 @@ from scipy.stats import mannwhitneyu, spearmanr
 from training.alignment.timit import Sentence, read_sentences
 from training.emodb import JudgedSentence, read_judged
 from training.prominence import SPEECH, STRESSED, fit, regression, threshold
-from understudy.acoustic.contours import contours_of
 from understudy.acoustic.focus.listeners import Listeners
-from understudy.acoustic.stress.prominence import cues, log_odds, prominence, with_listeners
-from understudy.acoustic.stress.stress import PROMINENT, stress
+from understudy.acoustic.stage import contours_of
+from understudy.acoustic.stress import PROMINENT, cues, log_odds, prominence, stress, with_listeners
+from understudy.files import resource_folder
 from understudy.model import Contours, FloatArray, Interval, Phone, Word
-from understudy.resources import resource_folder
 
 FUNCTION_WORDS = frozenset(
     re.findall(
@@ -51,7 +50,7 @@ TYPICAL_PHONE_S = 0.07
 """For phones that TIMIT has not."""
 
 CUES = ("duration", "f0 maximum", "f0 rise", "energy over neighbours'", "pause")
-"""As `understudy.acoustic.stress.prominence.cues` has them."""
+"""As `understudy.acoustic.stress.cues` has them."""
 
 EMOTIONS = {"N": "neutral", "L": "bored", "T": "sad", "A": "afraid", "E": "disgusted", "F": "happy", "W": "angry"}
 

@@ -27,10 +27,11 @@ from understudy.behavior.characters.overlays import Character
 from understudy.behavior.choice.scheduling import schedule
 from understudy.behavior.reading.planning import Understood, plan
 from understudy.behavior.reading.player import Player
-from understudy.behavior.speech.visemes import visemes
+from understudy.behavior.speech import visemes
 from understudy.bml.markup.documents import Reference
 from understudy.bml.markup.speech import FIRST_MOMENT_S
 from understudy.bml.writing.writer import to_document, write_bml
+from understudy.files import RULES, resource_folder
 from understudy.model import (
     Agitation,
     Analysis,
@@ -49,7 +50,6 @@ from understudy.model import (
 )
 from understudy.model.formats import BmlForm, TimeForm
 from understudy.models import BehaviorModels
-from understudy.resources import RULES, resource_folder
 from understudy.rules.derivation import FunctionRules, understand
 from understudy.rules.mapping import MappingRules, offer_movements
 from understudy.settings import Settings

@@ -17,12 +17,12 @@ from tests.support.bml.smartbody_checker import check_act, check_speech_file
 from understudy.behavior.table.behavior_table import load_table
 from understudy.bml.writing.smartbody_tables import shipped_tables
 from understudy.bml.writing.writer import losses, write_bml, write_speech_file
+from understudy.files import resource_folder
 from understudy.model import Channel, Line, Performance
 from understudy.model.formats import BmlForm, DialectName, TimeForm
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform
-from understudy.resources import resource_folder
 from understudy.settings import Settings
 
 ROOT = Path(__file__).resolve().parents[2]

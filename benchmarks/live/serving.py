@@ -15,7 +15,7 @@ import requests
 import soundfile
 from websockets.asyncio.client import ClientConnection, connect
 
-from understudy.resources import resource_folder
+from understudy.files import resource_folder
 
 CHUNK_S = 0.04
 RATE_HZ = 16_000

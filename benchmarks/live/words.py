@@ -19,10 +19,9 @@ import numpy as np
 
 from training.alignment.timit import Sentence, read_sentences
 from training.live.phone_durations import mean_durations, spoken
-from understudy.acoustic.contours import contours_of
 from understudy.acoustic.models import AcousticModels
 from understudy.acoustic.pacing.phone_durations import PhoneDurations
-from understudy.acoustic.stage import measure_stress
+from understudy.acoustic.stage import contours_of, measure_stress
 from understudy.live.ear import RecentVoice
 from understudy.model import EMPHASISED, Contours, Interval, Phone, Word
 from understudy.settings import Settings

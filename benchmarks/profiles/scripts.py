@@ -6,7 +6,7 @@ from pathlib import Path
 
 from training.profiles.make_examples import unspoken_analyses
 from understudy.behavior.reading.player import Player
-from understudy.behavior.speaker_profiles.gesture_scripts import gesture_script, repertoire_of
+from understudy.behavior.speaker_profiles import gesture_script, repertoire_of
 from understudy.model import Level, Parse, Token, Utterance
 from understudy.models import Understudy
 from understudy.profiles.annotation.model import Annotation

@@ -30,10 +30,10 @@ from benchmarks.bml.ami_heads import (
 from benchmarks.bml.schedule import Stages
 from benchmarks.prosody_gestures.strokes import DRAWS
 from training.prosody_gestures.train import FILE
+from understudy.files import resource_folder
 from understudy.model import FRAME_SHIFT_S, FloatArray, Word
 from understudy.prosody_gestures.semi_markov import FRAME_S
 from understudy.prosody_gestures.voice_model import VoiceModel
-from understudy.resources import resource_folder
 
 LOUD_DB, SILENT_DB = -25.0, -65.0
 HIGHEST_HZ, FALL = 140.0, 0.2

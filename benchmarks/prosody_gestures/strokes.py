@@ -26,18 +26,17 @@ from benchmarks.prosody_gestures.tables import lived as committed
 from training.prosody_gestures.performed_lines import HANDS, STROKE, PerformedLine, learn, read_performed, strokes_of
 from training.prosody_gestures.train import CORPORA, FILE
 from understudy.acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
+from understudy.files import resource_folder
 from understudy.live.agenda import Placer
 from understudy.live.movements import LiveEvent, Movements
 from understudy.live.table import FILE as LIVE
 from understudy.live.table import LiveTable
 from understudy.model import DEFAULT_CHARACTER, FRAME_SHIFT_S, Behavior
 from understudy.models import load_characters
-from understudy.prosody_gestures.context import in_context
 from understudy.prosody_gestures.live_gestures import COMMITMENT, LiveGestures
-from understudy.prosody_gestures.prosody import features, raw_frames
+from understudy.prosody_gestures.prosody import features, in_context, raw_frames
 from understudy.prosody_gestures.semi_markov import FRAME_S, states_by_frame
 from understudy.prosody_gestures.voice_model import VoiceModel, decode
-from understudy.resources import resource_folder
 
 DRAWS = 20
 CHUNK_FRAMES = 4

@@ -21,6 +21,7 @@ import numpy as np
 
 from benchmarks.bml.schedule import Stages, performed, spoken_sentences
 from benchmarks.realizer.exporting.formats import judge
+from understudy.files import resource_folder
 from understudy.model import Hand, Level, Schedule
 from understudy.model.figure import PLAIN, Figure, Physique, Sex
 from understudy.models import load_characters, load_gestures
@@ -34,7 +35,6 @@ from understudy.realizer.gestures.gesture_space import sector_m
 from understudy.realizer.gestures.library import clip
 from understudy.realizer.mannequin.mannequin import Mannequin
 from understudy.realizer.realizing import RealizedCharacter
-from understudy.resources import resource_folder
 
 EXTREMES: Mapping[str, Physique] = {
     "small_slim": Physique(Sex.FEMALE, 30, 1.45, 0.85, 0.85, 0.85),

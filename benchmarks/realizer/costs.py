@@ -21,11 +21,11 @@ from multiprocessing import get_context
 from pathlib import Path
 
 from benchmarks.startup import cost_of
+from understudy.files import resource_folder
 from understudy.model import Schedule
 from understudy.realization import RealizedSchedule, Realizer, realize, schedule_of
 from understudy.realizer.exporting.glb import to_glb
 from understudy.realizer.pictures.contact_sheet import draw_sheet, moments_of
-from understudy.resources import resource_folder
 
 BML = """<bml xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="b" characterId="default">
 <gesture id="g" lexeme="BEAT" mode="RIGHT_HAND" start="0.2" stroke="1.0" relax="1.4"/></bml>"""

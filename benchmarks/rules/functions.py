@@ -19,8 +19,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from understudy.files import resource_folder
 from understudy.model import Function, Utterance, Word
-from understudy.resources import resource_folder
 from understudy.rules import derivation
 from understudy.rules.derivation import FunctionRules, derive_functions
 from understudy.syntax.parser import Parser

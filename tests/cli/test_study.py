@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from understudy.cli.main import main
-from understudy.resources import resource_folder
+from understudy.files import resource_folder
 
 MODES = ("semantic", "prosody", "random")
 

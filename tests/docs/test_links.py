@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 import yaml
 
-from understudy.resources import resource_folder
+from understudy.files import resource_folder
 
 ROOT = resource_folder("lexicon").parent
 DOCS = ROOT / "docs"

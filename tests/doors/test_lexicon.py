@@ -13,8 +13,8 @@ from understudy.authoring.proofreading import check_files_in_use
 from understudy.authoring.rule_edits import mistakes_in
 from understudy.cli.main import main
 from understudy.errors import AuthoringError, InputError
+from understudy.files import RULES, resource_folder
 from understudy.models import load_characters, load_families, load_function_rules
-from understudy.resources import RULES, resource_folder
 
 GESTURE = """\
 GESTURECLASS emblem

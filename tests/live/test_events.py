@@ -5,12 +5,12 @@ import pytest
 
 from tests.acoustic.pitch.test_streaming import LINE
 from understudy.acoustic.pitch.streaming import LATEST_S as PITCH_LATEST_S
+from understudy.files import resource_folder
 from understudy.live.ear import StreamingVoice
 from understudy.live.movements import LATEST_S, LiveEvent, LiveEvents
 from understudy.model import SAMPLE_RATE_HZ
 from understudy.prosody_gestures.live_gestures import DECIDED_S
 from understudy.prosody_gestures.voice_model import VoiceModel
-from understudy.resources import resource_folder
 
 MODEL = VoiceModel.load(resource_folder("models") / "prosody_gestures" / "voice.npz")
 CHUNK = 640

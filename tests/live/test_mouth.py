@@ -8,10 +8,10 @@ import pytest
 
 from tests.acoustic.pitch.test_streaming import LINE
 from understudy.errors import ServiceError
+from understudy.files import resource_folder
 from understudy.live.mouth import MouthModel, MouthShape, StreamingMouth
 from understudy.model import SAMPLE_RATE_HZ
 from understudy.model.tables import OPENINGS
-from understudy.resources import resource_folder
 
 MODEL = MouthModel.load(resource_folder("models") / "live" / "mouth.npz")
 

@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 
 from understudy.errors import AuthoringError
+from understudy.files import resource_folder
 from understudy.live.models import LiveModels
 from understudy.live.table import LiveTable
-from understudy.resources import resource_folder
 
 SHIPPED = resource_folder("lexicon") / "live.yaml"
 

@@ -7,9 +7,9 @@ import pytest
 
 from tests.prosody_gestures.test_prosody import spoken
 from understudy.errors import ServiceError
+from understudy.files import resource_folder
 from understudy.motion_models.affect import DIMENSIONS, MEASURES, WINDOW_FRAMES, LinearAffectModel, measures
 from understudy.prosody_gestures.prosody import VOICED, raw_frames
-from understudy.resources import resource_folder
 
 RAW = raw_frames(*spoken(6.0))
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from understudy.errors import InputError
+from understudy.files import resource_folder
 from understudy.model import FloatArray
 from understudy.motion_models.model import MotionModel
-from understudy.resources import resource_folder
 
 
 @pytest.fixture(scope="module")

@@ -4,7 +4,16 @@ import numpy as np
 import pytest
 
 from understudy.model import FloatArray
-from understudy.prosody_gestures.prosody import FEATURES, features, raw_frames, whole_frames
+from understudy.prosody_gestures.prosody import (
+    FEATURES,
+    LOOKAHEAD_FRAMES,
+    WIDTH,
+    ProsodyContext,
+    features,
+    in_context,
+    raw_frames,
+    whole_frames,
+)
 
 
 def spoken(seconds: float = 3.0, seed: int = 0) -> tuple[FloatArray, FloatArray]:
@@ -60,3 +69,34 @@ def test_silence_has_features_too() -> None:
 def test_changes_are_since_two_frames_ago() -> None:
     made = features(raw_frames(*spoken()))
     assert made[10:, 3:] == pytest.approx(made[10:, :3] - made[8:-2, :3])
+
+
+MADE = features(raw_frames(*spoken()))
+
+
+def test_a_row_holds_its_frame_and_the_one_heard_later() -> None:
+    rows = in_context(MADE)
+    assert rows.shape == (len(MADE), WIDTH)
+    assert (rows[:, :6] == MADE).all()
+    assert (rows[:-LOOKAHEAD_FRAMES, WIDTH // 2 : WIDTH // 2 + 6] == MADE[LOOKAHEAD_FRAMES:]).all()
+    assert (rows[-LOOKAHEAD_FRAMES:, WIDTH // 2 : WIDTH // 2 + 6] == MADE[-1]).all(), "as if the last went on"
+
+
+def test_means_are_of_what_was_heard_lately() -> None:
+    rows = in_context(MADE)
+    assert rows[40, 6:9] == pytest.approx(MADE[37:41, :3].mean(axis=0))
+    assert rows[40, 15:18] == pytest.approx(MADE[9:41, :3].mean(axis=0))
+    assert rows[0, 6:9] == pytest.approx(MADE[0, :3] / 4), "before the beginning there is nothing"
+
+
+def test_a_pause_begins_a_phrase_anew() -> None:
+    voiced, silent = np.array([0, 0, 1.0, 0, 0, 0]), np.array([-4, 0, -1.0, 0, 0, 0])
+    rows = in_context(np.array([voiced] * 20 + [silent] * 8 + [voiced] * 3))
+    since, silence = np.expm1(rows[:, 18]), np.expm1(rows[:, 19])
+    assert since[[19, 26, 27, 30]] == pytest.approx([20, 27, 0, 3])
+    assert silence[[19, 20, 27, 28]] == pytest.approx([0, 1, 8, 0])
+
+
+def test_few_frames_are_enough() -> None:
+    assert in_context(MADE[:1]).shape == (1, WIDTH)
+    assert ProsodyContext().finish() == []

@@ -12,9 +12,9 @@ from sklearn.discriminant_analysis import LinearDiscriminantAnalysis
 from tests.prosody_gestures.models import LABELS, drawn_likelihoods, drawn_model, log_shares, three_frames_at_least
 from tests.prosody_gestures.test_prosody import spoken
 from understudy.errors import InputError, ServiceError
+from understudy.files import resource_folder
 from understudy.model import FloatArray
-from understudy.prosody_gestures.context import in_context
-from understudy.prosody_gestures.prosody import features, raw_frames
+from understudy.prosody_gestures.prosody import features, in_context, raw_frames
 from understudy.prosody_gestures.semi_markov import (
     DiscreteEmissions,
     Segment,
@@ -25,7 +25,6 @@ from understudy.prosody_gestures.semi_markov import (
 )
 from understudy.prosody_gestures.trellis import Search
 from understudy.prosody_gestures.voice_model import VoiceModel, decode, fit_discriminants, learn_part
-from understudy.resources import resource_folder
 
 SHIPPED = resource_folder("models") / "prosody_gestures" / "voice.npz"
 

@@ -1,17 +1,147 @@
-"""The stage: everything loads or every mistake is reported; functions are named, explained, and their conflicts
-resolved."""
+"""Long lines are processed passage by passage: in time proportional to their length, with the same results as short
+lines.
+"""
 
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import pytest
 
-from tests.support.operations import operations_of
-from tests.support.words.utterances import utterance
-from understudy.errors import AuthoringError
-from understudy.model import Because, Function, Utterance
-from understudy.rules.derivation import FunctionRules, derive_functions
+from tests.support.operations import calls_of, operations_of
+from tests.support.shipped_rules import shipped_parser, shipped_rules
+from tests.support.words.utterances import utterance, words_of
+from understudy.errors import AuthoringError, InputError
+from understudy.model import Because, Fact, Function, GivenFunction, Parse, Utterance
+from understudy.rules.chaining.facts import utterance_facts
+from understudy.rules.derivation import (
+    GIVEN_PRIORITY,
+    LONGEST_PASSAGE,
+    FunctionRules,
+    by_passage,
+    derive_functions,
+    passage_starts,
+)
 from understudy.rules.priorities import Conflicts, resolved
+
+SLACK = 1.15
+
+
+def _repeated(text: str, words: int) -> Utterance:
+    """The text again and again, up to so many words."""
+    listed = text.split()
+    line = words_of(" ".join((listed * (words // len(listed) + 1))[:words]))
+    return Utterance(line, shipped_parser().parse(line))
+
+
+def _starts(text: str) -> list[int]:
+    return passage_starts(utterance_facts(Utterance(words_of(text), Parse((), (), ()))))
+
+
+def test_a_line_of_a_minute_is_one_passage_and_a_longer_one_is_cut_between_sentences() -> None:
+    assert _starts("so it goes. " * (LONGEST_PASSAGE // 3)) == [0]
+    assert _starts("and so it always goes. " * 61) == [0, 150, 300]
+    assert _starts("and so it. " + "so it goes on. " * 40) == [0, 147]
+
+
+def test_a_sentence_without_an_end_is_cut_where_a_passage_would_be_too_long() -> None:
+    assert _starts("on " * (2 * LONGEST_PASSAGE + 1)) == [0, LONGEST_PASSAGE, 2 * LONGEST_PASSAGE]
+
+
+def test_facts_go_where_they_begin_and_what_is_between_two_passages_is_in_both() -> None:
+    inside, across, between = Fact("word", ("so", 4, 5)), Fact("clause", ("root", 4, 9, 5)), Fact("pause", (0.5, 6))
+    line, table = Fact("utterance", (0, 9)), Fact("base_priority", ("negation", "plain", 2.0))
+    assert by_passage([0, 6], (inside, across, between, line, table)) == [
+        [inside, across, between, line, table],
+        [between, line, table],
+    ]
+
+
+def test_a_sentence_does_the_same_in_any_passage() -> None:
+    sentences = 50
+    functions = derive_functions(shipped_rules(), _repeated("I do not know him. Do you?", 7 * sentences))
+
+    def of(sentence: int) -> list[tuple[str, str, int, int]]:
+        return sorted(_from(7 * sentence, each) for each in functions if each.first // 7 == sentence)
+
+    assert all(of(sentence) == of(1) for sentence in range(2, sentences - 1))
+    assert [each.id for each in functions] == [f"f{number}" for number in range(1, len(functions) + 1)]
+
+
+def _from(first: int, function: Function) -> tuple[str, str, int, int]:
+    return function.class_name, function.subtype, function.first - first, function.last - first
+
+
+@pytest.mark.parametrize("text", ["the red house, the blue house,", "do you know who did it", "(the (very (old) man))"])
+def test_a_line_of_twice_as_many_words_is_twice_the_work(text: str) -> None:
+    half, whole = (calls_of(partial(derive_functions, shipped_rules(), _repeated(text, words))) for words in (300, 600))
+    assert whole <= SLACK * 2 * half
+
+
+LINE = utterance("nobody came", "0:nobody/nobody/PRON 1:came/come/VERB")
+
+
+@pytest.fixture(scope="module")
+def rules() -> FunctionRules:
+    return shipped_rules()
+
+
+def negations(functions: tuple[Function, ...]) -> dict[tuple[int, int], Function]:
+    return {(found.first, found.last): found for found in functions if found.class_name == "negation"}
+
+
+def test_a_given_function_wins_over_what_is_derived_even_with_less_priority(rules: FunctionRules) -> None:
+    found = negations(derive_functions(rules, LINE, given=[GivenFunction("negation", "plain", 0, 1, priority=0.5)]))
+    given, derived = found[0, 1], found[0, 0]
+    assert (given.kept, given.given, given.rule, given.priority) == (True, True, "given", 0.5)
+    assert (derived.kept, derived.lost_to) == (False, given.id)
+    assert [because.word for because in given.because if because.word is not None] == [0, 1]
+    assert "given" in (given.because[0].fact or "")
+
+
+def test_without_a_priority_it_is_above_all(rules: FunctionRules) -> None:
+    functions = derive_functions(rules, LINE, given=[GivenFunction("valence", "negative", 1, 1)])
+    assert max(functions, key=lambda found: found.priority).class_name == "valence"
+    assert {found.priority for found in functions if found.given} == {GIVEN_PRIORITY}
+
+
+def test_what_would_be_derived_anyway_is_the_caller_s(rules: FunctionRules) -> None:
+    found = negations(derive_functions(rules, LINE, given=[GivenFunction("negation", "plain", 0, 0)]))
+    assert [(one.given, one.rule) for one in found.values()] == [(True, "given")]
+
+
+def test_rules_build_on_what_is_given(rules: FunctionRules) -> None:
+    spoken = utterance("such better", "0:such/such/ADJ/JJ/dep/0 1:better/good/ADJ/JJR/dep/1")
+    functions = derive_functions(rules, spoken, given=[GivenFunction("quantification", "positive", 0, 0)])
+    assert ("comparison", "strong_positive", 0, 1) in [
+        (found.class_name, found.subtype, found.first, found.last) for found in functions
+    ]
+
+
+def test_of_the_same_function_given_twice_the_higher_priority_counts(rules: FunctionRules) -> None:
+    twice = [GivenFunction("negation", "plain", 0, 1, priority) for priority in (3.0, 8.0, 5.0)]
+    assert negations(derive_functions(rules, LINE, given=twice))[0, 1].priority == 8
+
+
+@pytest.mark.parametrize(
+    ("given", "code", "said"),
+    [
+        (GivenFunction("negatoin", "plain", 0, 0), "functions_class", "did you mean 'negation'?"),
+        (GivenFunction("joy", "plain", 0, 0), "functions_class", "the classes are interrogative"),
+        (GivenFunction("valence", "plain", 0, 0), "functions_class", "its subtypes are positive, negative"),
+        (GivenFunction("negation", "plain", 0, 2), "functions_span", "words are 0 to 1"),
+        (GivenFunction("negation", "plain", 1, 0), "functions_span", "first comes before last"),
+        (GivenFunction("negation", "plain", -1, 0), "functions_span", "words are 0 to 1"),
+    ],
+)
+def test_what_is_no_function_of_the_line_is_refused(
+    rules: FunctionRules, given: GivenFunction, code: str, said: str
+) -> None:
+    with pytest.raises(InputError, match="functions\\[1\\]") as error:
+        derive_functions(rules, LINE, given=[GivenFunction("negation", "plain", 0, 0), given])
+    assert (error.value.code, error.value.field) == (code, "functions")
+    assert said in error.value.message
+
 
 VOCABULARY = (Path(__file__).resolve().parents[2] / "app" / "rules" / "vocabulary.rules").read_text()
 

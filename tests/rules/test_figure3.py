@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from understudy.errors import AuthoringError
+from understudy.files import RULES, resource_folder
 from understudy.model import Fact
-from understudy.resources import RULES, resource_folder
 from understudy.rules.chaining.chainer import derive
 from understudy.rules.chaining.tracing import trace_rule
 from understudy.rules.derivation import FunctionRules

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from tests.studio.support.firefox import FIREFOX, firefox_tab
-from understudy.resources import resource_folder
+from understudy.files import resource_folder
 
 PLAYED_S = "Number(document.querySelector('#stage-canvas').dataset.time)"
 STANDING = "document.querySelector('#stage-canvas[data-roles=speaker]')"

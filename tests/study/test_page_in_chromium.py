@@ -12,12 +12,12 @@ from playwright.sync_api import Browser, Page, ViewportSize
 
 from tests.studio.conftest import PATIENCE_MS, browser
 from tests.studio.support.waiting import wait_until
+from understudy.files import resource_folder
 from understudy.models import Understudy
 from understudy.options import Options
-from understudy.resources import resource_folder
 from understudy.study.comparison import DIMENSIONS, Comparison
+from understudy.study.making.lines import StudyRequest, StudySource
 from understudy.study.making.making import make_study
-from understudy.study.request import StudyRequest, StudySource
 from understudy.study.scoring.reading import read_answers, read_key
 
 __all__ = ["browser"]

@@ -11,8 +11,8 @@ import pytest
 import spacy
 
 from understudy.errors import ServiceError
+from understudy.files import resource_folder
 from understudy.model import Interval, Parse, Word
-from understudy.resources import resource_folder
 from understudy.syntax.parser import LONG_PAUSE_S, Parser, load_pipeline, sentence_starts
 
 PARSER = resource_folder("models") / "parser"

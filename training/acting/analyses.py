@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from understudy.behavior.reading.terms import TermTable, terms_of
+from understudy.files import resource_folder
 from understudy.models import LanguageModels
-from understudy.resources import resource_folder
 from understudy.rules.stage import find_functions_in_all
 from understudy.settings import Settings
 from understudy.text.transcript import read_transcript

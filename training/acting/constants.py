@@ -26,8 +26,7 @@ from unittest import mock
 from benchmarks.behavior.directing import gestures_of, load_score
 from understudy.behavior.candidates import attitudes
 from understudy.behavior.reading import decoding, planning, supports, worths
-from understudy.behavior.reading.delivery import WORDS_ALONE, Delivery
-from understudy.behavior.reading.encoder import Encoder, Reading
+from understudy.behavior.reading.encoder import WORDS_ALONE, Delivery, Encoder, Reading
 from understudy.behavior.stage import Performer, performer_of, plan_line
 from understudy.model import Channel, Moment, Performance
 from understudy.models import BehaviorModels, Understudy

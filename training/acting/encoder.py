@@ -27,8 +27,7 @@ import torch
 from torch import Tensor, nn
 from torch.nn.functional import binary_cross_entropy_with_logits
 
-from understudy.behavior.reading.delivery import WORDS_ALONE, Delivery, features_of
-from understudy.behavior.reading.encoder import FIRST, LAST, MOST_PIECES, pieces_of
+from understudy.behavior.reading.encoder import FIRST, LAST, MOST_PIECES, WORDS_ALONE, Delivery, features_of, pieces_of
 from understudy.model import SingleArray
 
 from .directed import (

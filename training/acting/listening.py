@@ -15,7 +15,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from understudy.behavior.reading.delivery import WORDS_ALONE, Delivery, clear_focus
+from understudy.behavior.reading.encoder import WORDS_ALONE, Delivery, clear_focus
 from understudy.model import Affect, LineAffect, Tone
 
 from .directed import DirectedLine, gesture_choices

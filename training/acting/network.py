@@ -1,7 +1,7 @@
 """The reader as a PyTorch network with the weights of `graph.py` by their names, and the weights of a shipped model.
 
 The network is BERT's (Devlin et al. 2019) with an input of how the line is said
-(`app/behavior/reading/delivery.py`): its features are added to the embeddings of a word's pieces ("heard"), and to
+(`app/behavior/reading/encoder.py`): its features are added to the embeddings of a word's pieces ("heard"), and to
 the word's outputs ("direct").
 """
 
@@ -16,7 +16,7 @@ from onnx import numpy_helper
 from torch import Tensor, nn
 from torch.nn.functional import gelu, layer_norm, scaled_dot_product_attention
 
-from understudy.behavior.reading.delivery import FEATURES
+from understudy.behavior.reading.encoder import FEATURES
 from understudy.model import SingleArray
 
 from .graph import ATTENTION_HEADS, EPSILON

@@ -12,7 +12,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from understudy.behavior.reading.delivery import Delivery
+from understudy.behavior.reading.encoder import Delivery
 from understudy.model import Affect, Line, LineAffect, PhraseAffect, Timings
 from understudy.models import Understudy
 from understudy.performance import analyze

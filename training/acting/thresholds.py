@@ -20,8 +20,7 @@ from pathlib import Path
 import numpy as np
 
 from understudy.behavior.reading.decoding import stretch_level, stretches_of
-from understudy.behavior.reading.delivery import Delivery
-from understudy.behavior.reading.encoder import Encoder
+from understudy.behavior.reading.encoder import Delivery, Encoder
 from understudy.model import FloatArray, SingleArray
 
 from .cases import Case

@@ -29,8 +29,8 @@ from understudy.behavior.reading.families import load_families
 from understudy.behavior.reading.planning import expected_worth
 from understudy.behavior.reading.worths import lexeme_worth, shown_by_lexemes
 from understudy.behavior.table.behavior_table import load_table
+from understudy.files import resource_folder
 from understudy.model import FloatArray, SingleArray
-from understudy.resources import resource_folder
 
 from .directed import FAMILIES, DirectedLine, read_lines, targets_of
 from .thresholds import read_readings, thresholds

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from training.agitation.conditions import Condition
 from understudy.acoustic.agitation.utterance_features import FEATURE_SETS
 from understudy.acoustic.agitation.voice_quality import voice_quality
-from understudy.acoustic.contours import contours_of
+from understudy.acoustic.stage import contours_of
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray, Level
 
 LEVELS = {"low": Level.LOW, "mid": Level.MEDIUM, "high": Level.HIGH}

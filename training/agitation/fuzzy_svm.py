@@ -21,7 +21,7 @@ from understudy.acoustic.agitation.fuzzy_training import (
     standards,
     train_machines,
 )
-from understudy.acoustic.agitation.speaker import TypicalSpeaker
+from understudy.acoustic.agitation.utterance_features import TypicalSpeaker
 from understudy.model import FloatArray
 from understudy.model.voice.signal import SpeakerReference
 

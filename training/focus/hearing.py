@@ -15,11 +15,11 @@ import numpy as np
 import yaml
 
 from understudy.acoustic.alignment.alignment import Aligner
-from understudy.acoustic.contours import contours_of
 from understudy.acoustic.focus.focus import inputs
 from understudy.acoustic.focus.listeners import Listeners
 from understudy.acoustic.signal.decoding import AudioLimits, decode
-from understudy.acoustic.stress.prominence import prominence
+from understudy.acoustic.stage import contours_of
+from understudy.acoustic.stress import prominence
 from understudy.errors import UnderstudyError
 from understudy.model import Audio, FloatArray, Interval, Phone, Word
 from understudy.text.transcript import read_transcript

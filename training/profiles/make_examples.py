@@ -18,7 +18,7 @@ from pydantic import RootModel
 
 from training.profiles.clock import spoken
 from understudy.behavior.reading.player import Player
-from understudy.behavior.speaker_profiles.gesture_scripts import repertoire_of
+from understudy.behavior.speaker_profiles import repertoire_of
 from understudy.model import Analysis, Behavior, Channel, Function, Interval, Level, Line, Word
 from understudy.models import Understudy
 from understudy.options import Options

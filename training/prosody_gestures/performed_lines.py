@@ -10,8 +10,7 @@ from types import MappingProxyType
 import numpy as np
 
 from understudy.model import Channel, FloatArray
-from understudy.prosody_gestures.context import in_context
-from understudy.prosody_gestures.prosody import features, raw_frames
+from understudy.prosody_gestures.prosody import features, in_context, raw_frames
 from understudy.prosody_gestures.semi_markov import FRAME_S, IntArray, Segment, segments_of
 from understudy.prosody_gestures.voice_model import PartModel, VoiceModel, learn_part
 

@@ -23,8 +23,8 @@ from ...errors import InputError
 from ...model import NEUTRAL, Affect, FloatArray, Tone, mean_affect
 from ...model.voice.signal import SpeakerReference
 from ..agitation.agitation import TRUST_RECORDINGS, FuzzySvm, svm_arrays, svm_of
-from ..agitation.speaker import TypicalSpeaker
 from ..agitation.stored import read_arrays, write_arrays
+from ..agitation.utterance_features import TypicalSpeaker
 
 FEATURE_SET = "full"
 """The features of `FEATURE_SETS` from which affect is predicted."""

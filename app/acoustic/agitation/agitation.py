@@ -26,9 +26,8 @@ from numpy.typing import NDArray
 from ...errors import InputError
 from ...model import Agitation, Contours, FloatArray, Level, VoiceQuality
 from ...model.voice.signal import SpeakerReference
-from .speaker import TypicalSpeaker
 from .stored import read_arrays, write_arrays
-from .utterance_features import FEATURE_SETS
+from .utterance_features import FEATURE_SETS, TypicalSpeaker
 
 TRUST_RECORDINGS = 10
 """With this many reference recordings, both machines have equal weight."""

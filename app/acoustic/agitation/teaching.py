@@ -18,7 +18,7 @@ from ...model import FloatArray, Level
 from ...model.voice.signal import SpeakerReference
 from .agitation import AgitationModel, likeness_at, squared_distances
 from .fuzzy_training import Kernel, held_out_values, joint_logistic, speaker_folds, standards, train_machines
-from .speaker import TypicalSpeaker
+from .utterance_features import TypicalSpeaker
 
 REACHES = (0.06, 0.12, 0.25)
 COSTS = (1.0, 3.0)

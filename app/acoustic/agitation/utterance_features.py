@@ -10,14 +10,22 @@ Speakers differ in average pitch and timbre but less in how these change. In agi
 change faster and decline less towards the end, and the spectrum changes at other places: in loud and high moments
 rather than between them. Levels are in dB, pitch in octaves, frames 10 ms apart. NaN if too few frames are voiced.
 Neither the recording's level nor the utterance's length matters.
+
+A speaker's reference: mean and deviation of the features over other recordings, to normalize an utterance by.
+
+Statistics of few recordings are unreliable, so they are shrunk towards those of a typical speaker, with a prior weight
+of `MEAN_PRIOR` recordings (`DEVIATION_PRIOR` for the deviation). `MEAN_PRIOR` is the median over features of the
+variance within speakers divided by that between speakers.
 """
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FRAME_SHIFT_S, Contours, FloatArray, SingleArray, VoiceQuality
+from ...model.voice.signal import SpeakerReference
 from .vocal_effort import effort_features, spectral_flux_db, spectrum_db
 
 ACTIVE_RANGE_DB = 20.0
@@ -208,3 +216,27 @@ FEATURE_SETS: Mapping[str, Callable[[Contours, VoiceQuality], FloatArray]] = {
     "paper": paper_features,
     "full": full_features,
 }
+
+
+MEAN_PRIOR = 3
+DEVIATION_PRIOR = 8
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TypicalSpeaker:
+    """The features' mean over speakers, and their deviation within speakers."""
+
+    mean: FloatArray
+    deviation: FloatArray
+
+    def completed(self, features: FloatArray) -> FloatArray:
+        """The features, with unknown ones (NaN) replaced by the average."""
+        return np.where(np.isnan(features), self.mean, features)
+
+    def relative(self, features: FloatArray, reference: SpeakerReference) -> FloatArray:
+        """The difference of the features from the speaker's mean, in units of the speaker's deviations."""
+        count = reference.recordings
+        mean = (count * reference.mean + MEAN_PRIOR * self.mean) / (count + MEAN_PRIOR)
+        variances = count * reference.deviation**2 + DEVIATION_PRIOR * self.deviation**2
+        distance: FloatArray = (features - mean) / np.sqrt(variances / (count + DEVIATION_PRIOR))
+        return distance

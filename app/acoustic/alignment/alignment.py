@@ -18,7 +18,7 @@ from ...errors import InputError
 from ...model import Audio, Filler, FloatArray, Interval, Notice, Phone, Word
 from ..pronunciation.normalisation import Normaliser
 from ..pronunciation.pronunciation import Pronouncer, Pronunciation
-from ..signal.background import FRAME_S, frame_power
+from ..signal.spectrum import FRAME_S, frame_power
 from .boundaries import BoundaryModel
 from .decoder_process import FRAMES_PER_S, DecodedLine, DecodedPhone, DecoderProcess
 from .fit import check_fit, check_found

@@ -31,7 +31,7 @@ from numpy.typing import NDArray
 
 from ...errors import ServiceError
 from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, Interval, Phone, SingleArray, Word
-from ..signal.products import product
+from ..signal.frames import product
 from ..signal.spectrum import mel_filters
 
 BOUNDARIES_AT_ONCE = 200

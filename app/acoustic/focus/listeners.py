@@ -18,8 +18,7 @@ from numpy.typing import NDArray
 
 from ...errors import ServiceError
 from ...model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, FloatArray, Interval, SingleArray, Word
-from ..signal.frames import SHIFT_SAMPLES, blocks_of_frames
-from ..signal.products import product
+from ..signal.frames import SHIFT_SAMPLES, blocks_of_frames, product
 from ..signal.spectrum import mel_filters
 
 WINDOW_SAMPLES = 1024

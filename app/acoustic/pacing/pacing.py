@@ -15,7 +15,7 @@ from pydantic import Field, field_validator
 
 from ...model import Interval, Phone, Speaking, Word
 from ...yaml_files import Entry, Source
-from ..stress.prominence import VOWELS
+from ..stress import VOWELS
 from .phone_durations import FILE as DURATIONS
 from .phone_durations import PhoneDurations
 

@@ -29,8 +29,7 @@ from numpy.typing import NDArray
 
 from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, SingleArray
 from ..signal.frames import BLOCK, frame_count
-from .harmonics import BIN_HZ, CANDIDATES_HZ, LOWEST_F0_HZ, summed_harmonics
-from .peak_paths import best_path, is_peak, peak_offsets
+from .harmonics import BIN_HZ, CANDIDATES_HZ, LOWEST_F0_HZ, best_path, is_peak, peak_offsets, summed_harmonics
 from .voicing import (
     SRH_ALONE,
     WEIGHED,

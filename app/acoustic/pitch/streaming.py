@@ -15,8 +15,7 @@ import numpy as np
 
 from ...model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, FloatArray, SingleArray
 from ..signal.frames import SHIFT_SAMPLES, frame_count
-from .harmonics import CANDIDATES_HZ, MARGIN, RESIDUAL_FRAMES, summed_harmonics
-from .peak_paths import best_path
+from .harmonics import CANDIDATES_HZ, MARGIN, RESIDUAL_FRAMES, best_path, summed_harmonics
 from .pitch import (
     RANGE_THRESHOLD,
     TUNED,

@@ -22,9 +22,8 @@ import scipy
 from numpy.typing import NDArray
 
 from ...model import SAMPLE_RATE_HZ, FloatArray, SingleArray
-from ..signal.frames import BLOCK, blocks_of_frames, frame_count
-from ..signal.products import product
-from .peak_paths import peak_offsets
+from ..signal.frames import BLOCK, blocks_of_frames, frame_count, product
+from .harmonics import peak_offsets
 
 
 @dataclass(frozen=True, slots=True)

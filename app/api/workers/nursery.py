@@ -22,6 +22,7 @@ import numpy as np
 from ...authoring.catalogue import Catalogue, ItemKind
 from ...authoring.inspection import read_again
 from ...errors import UnderstudyError
+from ...files import resource_folder
 from ...library.hearing import read_audio
 from ...library.motion import realize
 from ...library.performing import perform_line
@@ -31,7 +32,6 @@ from ...live.session import LiveSession
 from ...model import SAMPLE_RATE_HZ, Line
 from ...models import Understudy
 from ...options import Options
-from ...resources import resource_folder
 from ...schemas.gestures.language import GestureLanguageResponse
 from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
 from .live_worker import stream

@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from ...authored_folders import lexicon_folder, rules_folder
+from ...files import resource_folder
 from ...model.edits import NO_EDITS
 from ...model.voice.signal import SpeakerReference
-from ...resources import resource_folder
 from ...settings import Settings
 from ...version import __version__
 from ..work.jobs import LineJob, MotionForm

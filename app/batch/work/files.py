@@ -11,7 +11,7 @@ from pathlib import Path
 from uuid import uuid4
 
 from ...errors import InputError
-from ...whole_files import replace_file
+from ...files import replace_file
 from .jobs import OutputFile
 
 UNFINISHED = ".unfinished"

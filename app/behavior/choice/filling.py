@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from ...model import Behavior, Channel, Interval, Utterance, Word
 from ...model.tables import LOOK
 from ..characters.overlays import Character
-from ..idle.saccades import Habit, glances
+from ..idle.idle_behaviors import Habit, glances
 from ..reading.player import Ban, banned
 from ..table.behavior_table import DRIFTS, BehaviorEntry
 from ..timing.anchoring import PlacedBehavior, filler, interval_of

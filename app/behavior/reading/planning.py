@@ -28,10 +28,8 @@ from .decoding import (
     strokes,
     usual_times_s,
 )
-from .delivery import Delivery
-from .encoder import Reading
+from .encoder import Delivery, Reading
 from .families import FamilyBehavior
-from .kinds import KindWorths, kind_supports, kind_worths
 from .mimes import Mime, mimes_in
 from .parallels import CONTRAST, Ground, PlacedStroke, parallel_strokes, placed_strokes, with_placed
 from .planner import Planner
@@ -39,11 +37,14 @@ from .player import Player
 from .supports import Support, supports_of
 from .terms import Fact, terms_of
 from .worths import (
+    KindWorths,
     LineWorths,
     after_what_was_shown,
     chance_of,
     chance_of_lexemes,
     focus_of,
+    kind_supports,
+    kind_worths,
     kinds_added,
     lexeme_worth,
     summed,

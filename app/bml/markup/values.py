@@ -1,15 +1,17 @@
-"""Converts between attribute values and text.
-
-Numbers are in decimal notation, never `1e-05`, with three decimals or as many as are needed to be exact. White space
-around a value is ignored, and runs of it inside count as one space.
+"""Converts between attribute values and text; the slots of a gesture are text in our own namespace: `height=child
+height_m=0.95 side=left`, in the order of `Slots`.
 """
 
 import re
 from collections.abc import Mapping
+from dataclasses import fields
 from decimal import Decimal
+from enum import StrEnum
 from functools import lru_cache
 from math import isfinite
+from typing import TypeVar
 
+from ...model.slots import Distance, Height, Side, Size, Slots, Which
 from .documents import Reference, Value
 from .elements import Attribute, ValueKind
 
@@ -111,3 +113,47 @@ def _fixed(number: float) -> str:
     """Cached, because the times of phones, shapes and words are the same."""
     short = f"{number:.{PLACES}f}"
     return short if float(short) == number else f"{Decimal(repr(number)):f}"
+
+
+_Class = TypeVar("_Class", bound=StrEnum)
+
+
+def written_slots(slots: Slots) -> str:
+    """The slots that are filled, as text."""
+    filled = ((each.name, getattr(slots, each.name)) for each in fields(slots))
+    return " ".join(f"{name}={text_of(value)}" for name, value in filled if value is not None)
+
+
+def read_slots(text: str) -> Slots | None:
+    """The slots in a text; None if there are none."""
+    told = dict(part.partition("=")[::2] for part in text.split())
+    slots = Slots(
+        height=_of(Height, told.get("height")),
+        height_m=_number_or_none(told.get("height_m")),
+        size=_of(Size, told.get("size")),
+        size_m=_number_or_none(told.get("size_m")),
+        count=_count(told.get("count")),
+        side=_of(Side, told.get("side")),
+        distance=_of(Distance, told.get("distance")),
+        elevation_deg=_number_or_none(told.get("elevation_deg")),
+        which=_of(Which, told.get("which")),
+        referent=told.get("referent") or None,
+        listener=told.get("listener") or None,
+    )
+    return slots or None
+
+
+def _of(kind: type[_Class], told: str | None) -> _Class | None:
+    return next((each for each in kind if each.value == told), None)
+
+
+def _count(told: str | None) -> int | None:
+    return int(told) if told and told.isascii() and told.isdigit() and len(told) < 3 else None
+
+
+def _number_or_none(told: str | None) -> float | None:
+    try:
+        number = float(told or "nan")
+    except ValueError:
+        return None
+    return number if isfinite(number) else None

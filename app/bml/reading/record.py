@@ -12,8 +12,8 @@ from types import MappingProxyType
 from ...model import Behavior, Channel, Interval, Level, Manner, Notice, Phone, SyncPoints, Word
 from ..markup.documents import Document, Element, Value
 from ..markup.elements import RECORD_TYPE
-from ..markup.slots import read_slots
 from ..markup.speech import FIRST_MOMENT_S, behaviors_of, speech_of
+from ..markup.values import read_slots
 
 
 @dataclass(frozen=True, slots=True)

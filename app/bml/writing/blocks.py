@@ -21,9 +21,8 @@ from ...model.lead_in import later_s, later_word
 from ...model.tables import ACTION_UNITS
 from ..markup.documents import Document, Element, Time, Value
 from ..markup.elements import BMLT, OURS, RECORD_TYPE
-from ..markup.slots import written_slots
 from ..markup.speech import SPEECH, time_formatter, to_milli
-from ..markup.values import text_of
+from ..markup.values import text_of, written_slots
 
 GAZE_RANGE_DEGREES = 60.0
 """The offset from its target of a gaze with amount 1."""

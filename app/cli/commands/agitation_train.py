@@ -10,9 +10,8 @@ from ...acoustic.agitation.agitation import AgitationModel, save_file
 from ...acoustic.agitation.teaching import LabelledRecordings, LeftOut, left_out, teach
 from ...acoustic.agitation.utterance_features import FEATURE_SETS
 from ...acoustic.agitation.voice_quality import voice_quality
-from ...acoustic.contours import contours_of
 from ...acoustic.signal.decoding import decode
-from ...acoustic.stage import audio_limits
+from ...acoustic.stage import audio_limits, contours_of
 from ...errors import InputError
 from ...model import FloatArray, Level
 from ...schemas.agitation_labels import LabelledRecording, read_labels

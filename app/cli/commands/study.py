@@ -16,7 +16,7 @@ from ...options import Options
 from ...profiles.profile import Profile
 from ...settings import read_settings
 from ...study.comparison import CONDITIONS, KEY_NAME, PAIRED, Comparison
-from ...study.request import PAGE_FOLDER, StudyRequest, StudySource
+from ...study.making.lines import PAGE_FOLDER, StudyRequest, StudySource
 from ..files import require_writable, write, write_standard
 from ..inputs.lines import optional_profile
 from ..log import Log
@@ -49,7 +49,7 @@ def _make(arguments: argparse.Namespace, log: Log) -> None:
         rounds = make_study(request, understudy, partial(_line_made, log))
     page = source.out / PAGE_FOLDER
     log.note(f"{page}: {rounds} rounds; give this folder to raters, who open index.html; keep {KEY_NAME} beside it")
-    from ...study.power import plan_told
+    from ...study.scoring.samples import plan_told
 
     log.note(plan_told(comparison, len(CONDITIONS[comparison])))
 

@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError
 
-from ...behavior.speech.visemes import visemes
+from ...behavior.speech import visemes
 from ...errors import InputError, UndecodableError
 from ...model import Agitation, Hand, Interval, Level, Notice, Parse, Performance, Phone, Utterance, Word
 from ...profiles.annotation.model import PathForm, Position, Swivel

@@ -21,8 +21,8 @@ from ...library.performing import perform_line
 from ...models import Understudy
 from ...profiles.profile import Profile
 from ..comparison import AFFECT, BOTH, LIVE, OFFLINE, PROSODY, RANDOM
-from .clips import FRAME_RATE_HZ, TAIL_S, realized
 from .lines import StudyLine
+from .site import FRAME_RATE_HZ, TAIL_S, realized
 
 WHOLE = "RTS"
 DRIVEN_BY: Mapping[str, str] = {BOTH: "S1", PROSODY: "S3", AFFECT: "S5"}

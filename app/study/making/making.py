@@ -21,12 +21,22 @@ from ...library.motion import PreparedSchedule, RealizedSchedule
 from ...model import Behavior, Channel, Notice
 from ...models import Understudy
 from ..comparison import CONDITIONS, KEY_COLUMNS, KEY_NAME, PAIRED, Comparison
-from ..request import PAGE_FOLDER, StudyRequest
 from .by_model import by_speakers, driven_by_affect, in_ways
-from .clips import blind_clip, blind_sound, body_of, realized
-from .lines import StudyLine, read_lines
+from .lines import PAGE_FOLDER, StudyLine, StudyRequest, read_lines
 from .singletons import in_modes, in_units_and_singly
-from .site import CLIPS, CODE_LENGTH, LinePage, Site, script_of, script_of_bytes, write_site
+from .site import (
+    CLIPS,
+    CODE_LENGTH,
+    LinePage,
+    Site,
+    blind_clip,
+    blind_sound,
+    body_of,
+    realized,
+    script_of,
+    script_of_bytes,
+    write_site,
+)
 
 ADVICE: Mapping[Comparison, str] = {
     Comparison.MODES: "take lines of more words",

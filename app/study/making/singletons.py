@@ -16,7 +16,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from ...behavior.speaker_profiles.gesture_scripts import scripted_behaviors
+from ...behavior.speaker_profiles import scripted_behaviors
 from ...errors import InputError
 from ...library.motion import PreparedSchedule, RealizedSchedule
 from ...library.performing import perform_analysis, perform_line
@@ -27,8 +27,8 @@ from ...profiles.generation.script import GestureScript, ScriptedGesture
 from ...profiles.profile import Profile
 from ...realizer.scheduling.rests import POSTURES
 from ..comparison import SINGLETONS, UNITS
-from .clips import realized
 from .lines import StudyLine
+from .site import realized
 
 ROOM_S = 1.0
 """From one gesture's last stroke to the next one's first in S, if after-strokes can make it."""

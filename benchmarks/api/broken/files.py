@@ -24,9 +24,9 @@ from understudy.batch.manifest.hashes import KnownRecording
 from understudy.batch.manifest.store import COLUMNS, FILE, Manifest
 from understudy.batch.scripts.reading import read_script
 from understudy.errors import UnderstudyError
+from understudy.files import resource_folder
 from understudy.model.schedule import DEFAULT_CHARACTER
 from understudy.profiles.files.reading import read_profile_text
-from understudy.resources import resource_folder
 from understudy.studio.scenes import OpenedScene
 from understudy.yaml_files import Source
 

@@ -14,7 +14,7 @@ from itertools import islice
 from types import MappingProxyType
 from typing import Any
 
-from understudy.resources import resource_folder
+from understudy.files import resource_folder
 
 from ...realizer.exporting.avatar_mutants import mutants, small_avatar
 from ..attacks import Attack, Body, bml, form

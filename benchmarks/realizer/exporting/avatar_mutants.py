@@ -22,13 +22,13 @@ from typing import Any
 import numpy as np
 
 from understudy.errors import UnderstudyError
+from understudy.files import resource_folder
 from understudy.realizer.avatars.avatar import to_avatar_glb
 from understudy.realizer.body.motion import SHAPES, BodyMotion, Motion
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.exporting.gltf import Accessors, joint_nodes, to_glb_bytes
 from understudy.realizer.exporting.retargeting import Rig, load_rigs
 from understudy.realizer.geometry.rotations import IDENTITY
-from understudy.resources import resource_folder
 
 AVATARS = Path(__file__).resolve().parents[4] / "shared" / "data" / "motion" / "avatar"
 READ = ("nodes", "nodes", "nodes", "buffers", "bufferViews", "accessors", "meshes", "extensions", "asset")

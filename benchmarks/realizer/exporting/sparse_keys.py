@@ -14,13 +14,13 @@ import numpy as np
 
 from benchmarks.realizer.motion import LINES, of_lines
 from tests.support.motion.gltf_reading import Gltf, read
+from understudy.files import resource_folder
 from understudy.model import FloatArray
 from understudy.realization import Realizer, realize, schedule_of
 from understudy.realizer.body.motion import Motion
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.exporting.glb import to_glb
 from understudy.realizer.geometry.rotations import angle_between, slerp
-from understudy.resources import resource_folder
 
 JOINTS = ("head", "rightHand", "leftHand", "rightIndexDistal", "leftIndexDistal")
 

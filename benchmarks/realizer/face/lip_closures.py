@@ -23,11 +23,11 @@ from benchmarks.realizer.face.lip_closure import SHUT, Closure, lip_closures, li
 from benchmarks.realizer.face.lips import still_body
 from training.alignment.timit import Sentence, read_sentences
 from understudy.acoustic.alignment.alignment import Aligner
-from understudy.behavior.speech.visemes import visemes
+from understudy.behavior.speech import visemes
+from understudy.files import resource_folder
 from understudy.model import Interval, Schedule, Word
 from understudy.realizer.face.face import face_weights
 from understudy.realizer.face.face_tables import FaceTables
-from understudy.resources import resource_folder
 
 CLOSED_IN = {"pcl": "P", "bcl": "B", "m": "M", "em": "M", "f": "F", "v": "V"}
 BURSTS = frozenset({"p", "b"})

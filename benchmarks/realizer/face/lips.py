@@ -25,7 +25,8 @@ import numpy as np
 
 from benchmarks.realizer.face.lip_closure import Closure, lip_closures, lip_opening
 from understudy.acoustic.stage import align_words, analyze_signal
-from understudy.behavior.speech.visemes import visemes
+from understudy.behavior.speech import visemes
+from understudy.files import resource_folder
 from understudy.model import FRAME_SHIFT_S, FloatArray, Line, Schedule, Viseme, Word
 from understudy.models import Understudy
 from understudy.realizer.body.motion import BodyMotion
@@ -33,7 +34,6 @@ from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.face.face import face_weights
 from understudy.realizer.face.face_tables import FaceTables
 from understudy.realizer.geometry.rotations import IDENTITY
-from understudy.resources import resource_folder
 from understudy.settings import Settings
 from understudy.text.transcript import read_transcript
 

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from understudy.files import resource_folder
 from understudy.model import FloatArray, Hand, Level
 from understudy.realizer.arms.arm_reach import ArmBones
 from understudy.realizer.arms.arms import ArmTrack, TimedPose, arm_motion
@@ -26,7 +27,6 @@ from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.gestures.gesture import Clip, FrameType, HeightSector, Sideways
 from understudy.realizer.gestures.gesture_space import HEIGHT, SHOULDERS_ABOVE_HIPS_M, SIDEWAYS_M, sector_m
 from understudy.realizer.gestures.library import LEADING, Library, clip
-from understudy.resources import resource_folder
 
 RINGS: Mapping[Sideways | HeightSector, int] = {
     **dict(zip(Sideways, (3, 2, 1, 0, 1, 2, 3), strict=True)),

@@ -13,10 +13,10 @@ from collections.abc import Callable, Iterable
 import numpy as np
 
 from understudy.authoring.catalogue import load_gestures
+from understudy.files import resource_folder
 from understudy.model import Hand, Level
 from understudy.realizer.gestures.gesture import Clip
 from understudy.realizer.gestures.library import Library
-from understudy.resources import resource_folder
 
 RUNS = 7
 MILLISECONDS = 1000.0

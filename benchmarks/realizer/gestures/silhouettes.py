@@ -14,12 +14,12 @@ from pathlib import Path
 import yaml
 
 from benchmarks.figures import add_record_option, record
+from understudy.files import resource_folder
 from understudy.model import Hand, Level
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.gestures.gesture import Definition
 from understudy.realizer.gestures.library import Library, clip
 from understudy.realizer.pictures.silhouettes import Likeness, StrokePose, draw_silhouettes, likenesses, stroke_pose
-from understudy.resources import resource_folder
 
 LEXICON = resource_folder("lexicon")
 

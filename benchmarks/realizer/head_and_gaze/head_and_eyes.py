@@ -14,6 +14,7 @@ import numpy as np
 
 from benchmarks.realizer.liveliness import recorded_lines
 from benchmarks.realizer.motion import Realized, realized_once
+from understudy.files import resource_folder
 from understudy.model import Behavior, Channel, FloatArray
 from understudy.models import Understudy
 from understudy.options import Options
@@ -21,7 +22,6 @@ from understudy.performance import perform
 from understudy.realization import Realizer, schedule_of
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.geometry.rotations import angle_between, to_pitch_yaw_roll
-from understudy.resources import resource_folder
 from understudy.settings import Settings
 
 FRAME_RATE_HZ = 60

@@ -18,6 +18,7 @@ import numpy as np
 from scipy.signal import butter, filtfilt
 
 from benchmarks.bml.schedule import TEXTS, Stages, outcome
+from understudy.files import resource_folder
 from understudy.model import FloatArray, Schedule
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.gestures.library import Library
@@ -26,7 +27,6 @@ from understudy.realizer.head_and_gaze.head import apply_head_movements
 from understudy.realizer.scheduling.gesture_controller import apply_gestures
 from understudy.realizer.scheduling.planning import plan_gestures
 from understudy.realizer.torso.idle import idle_motion
-from understudy.resources import resource_folder
 
 PEOPLE = TEXTS.parents[1] / "motion" / "gesture-phases"
 RATE_HZ = 30

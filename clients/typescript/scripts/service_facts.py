@@ -11,7 +11,7 @@ from understudy.api.description.document import describe
 from understudy.api.routes import router
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.exporting.retargeting import load_rigs
-from understudy.resources import resource_folder
+from understudy.files import resource_folder
 
 
 def facts() -> dict[str, object]:

@@ -9,11 +9,11 @@ import pytest
 from tests.support.words.measured import stretch_of
 from understudy.acoustic.affect.affect_model import AffectModel, Expert, Gate, KernelMachines
 from understudy.acoustic.agitation.agitation import FuzzySvm
-from understudy.acoustic.agitation.speaker import TypicalSpeaker
+from understudy.acoustic.agitation.utterance_features import TypicalSpeaker
 from understudy.errors import InputError, ServiceError
+from understudy.files import resource_folder
 from understudy.model import NEUTRAL, SAMPLE_RATE_HZ, Audio, FloatArray, Tone
 from understudy.model.voice.signal import SpeakerReference
-from understudy.resources import resource_folder
 
 SHIPPED = resource_folder("models") / "affect"
 

@@ -12,12 +12,11 @@ import soundfile
 
 from tests.support.words.measured import measured
 from understudy.acoustic.agitation.agitation import AgitationModel, FuzzySvm, save
-from understudy.acoustic.agitation.speaker import TypicalSpeaker
-from understudy.acoustic.agitation.utterance_features import FEATURE_SETS
+from understudy.acoustic.agitation.utterance_features import FEATURE_SETS, TypicalSpeaker
 from understudy.errors import InputError, ServiceError
+from understudy.files import resource_folder
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray, Level
 from understudy.model.voice.signal import SpeakerReference
-from understudy.resources import resource_folder
 
 MODEL_FOLDER = resource_folder("models") / "agitation"
 MODEL_FILE, CHECKSUM_FILE = "paper.npz", "paper.npz.sha256"

@@ -7,7 +7,7 @@ import pytest
 
 from understudy.acoustic.agitation.vocal_effort import effort_features
 from understudy.acoustic.agitation.voice_quality import voice_quality
-from understudy.acoustic.contours import contours_of
+from understudy.acoustic.stage import contours_of
 from understudy.model import SAMPLE_RATE_HZ, Audio, Contours, FloatArray
 
 ALPHA, FLUX, PITCH_SLOPE, TILT_WITH_LOUDNESS, PITCH_WITH_LOUDNESS, SPECTRUM = 4, 12, 18, 27, 31, slice(56, 66)

@@ -7,7 +7,7 @@ import pytest
 
 from understudy.acoustic.agitation.utterance_features import dynamics_features
 from understudy.acoustic.agitation.voice_quality import voice_quality
-from understudy.acoustic.contours import contours_of
+from understudy.acoustic.stage import contours_of
 from understudy.model import SAMPLE_RATE_HZ, Audio, Contours, FloatArray
 
 ENERGY_STEP, PITCH_DECLINE, ENERGY_DECLINE, FLUX_WITH_ENERGY, NEAR_10_DB, BANDS = 0, 5, 6, 12, 21, slice(24, 34)

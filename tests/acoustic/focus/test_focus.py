@@ -9,8 +9,8 @@ import pytest
 from understudy.acoustic.focus.cues import CUES
 from understudy.acoustic.focus.focus import INPUTS, FocusModel
 from understudy.errors import ServiceError
+from understudy.files import resource_folder
 from understudy.model import Contours, Interval, Word
-from understudy.resources import resource_folder
 
 WORDS = tuple(
     Word(index, text, Interval(index * 0.3, (index + 1) * 0.3)) for index, text in enumerate(["so", "it", "is", "here"])

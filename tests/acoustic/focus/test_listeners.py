@@ -7,8 +7,8 @@ import pytest
 
 from understudy.acoustic.focus.listeners import Listeners
 from understudy.errors import ServiceError
+from understudy.files import resource_folder
 from understudy.model import SAMPLE_RATE_HZ, Audio, Interval, Word
-from understudy.resources import resource_folder
 
 INTERVALS = tuple(Interval(0.2 + 0.4 * place, 0.5 + 0.4 * place) for place in range(5))
 

@@ -7,8 +7,8 @@ import pytest
 from understudy.acoustic.pacing.pacing import FILE, Pace, PacedWords, PauseTable, paced, timed_elsewhere
 from understudy.acoustic.pacing.phone_durations import PhoneDurations
 from understudy.errors import AuthoringError
+from understudy.files import resource_folder
 from understudy.model import PLAINLY_SPOKEN, Interval, Phone, Speaking, Word
-from understudy.resources import resource_folder
 
 SHIPPED = PauseTable.load(resource_folder("lexicon") / FILE)
 TABLE = PauseTable(

@@ -6,8 +6,8 @@ import pytest
 
 from understudy.acoustic.pacing.phone_durations import FILE, LABELS, PhoneDurations
 from understudy.errors import AuthoringError
+from understudy.files import resource_folder
 from understudy.model import Interval, Phone, Word
-from understudy.resources import resource_folder
 
 SHIPPED = resource_folder("lexicon") / FILE
 

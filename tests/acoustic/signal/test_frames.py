@@ -3,7 +3,16 @@
 import numpy as np
 import pytest
 
-from understudy.acoustic.signal.frames import BLOCK, SHIFT_SAMPLES, blocks_of_frames, excerpt, frame_count
+from understudy.acoustic.signal.frames import (
+    BLOCK,
+    MULTIPLICATIONS,
+    SHIFT_SAMPLES,
+    blocks_of_frames,
+    excerpt,
+    frame_count,
+    product,
+)
+from understudy.model import FloatArray
 
 
 def test_a_frame_is_centred_on_its_time() -> None:
@@ -32,3 +41,19 @@ def test_an_excerpt_is_silent_outside_the_signal(first: int, end: int) -> None:
 def test_frames_may_begin_elsewhere() -> None:
     [(_, frames)] = blocks_of_frames(np.arange(1.0, 1001.0), 4, 2, shift=10, centre=5)
     assert frames.tolist() == [[4, 5, 6, 7], [14, 15, 16, 17]]
+
+
+@pytest.mark.parametrize("rows", [0, 1, 26, 27, 500])
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_it_is_the_product(rows: int, kind: type) -> None:
+    chance = np.random.default_rng(0)
+    one: FloatArray = chance.random((rows, 100)).astype(kind)
+    other: FloatArray = chance.random((100, 100)).astype(kind)
+    found = product(one, other)
+    assert found.dtype == kind
+    np.testing.assert_allclose(found, one @ other, rtol=1e-5)
+
+
+def test_a_matrix_that_is_too_large_for_one_row_is_taken_all_the_same() -> None:
+    matrix = np.ones((2, MULTIPLICATIONS))
+    assert product(np.ones((3, 2)), matrix)[:, 0].tolist() == [2.0, 2.0, 2.0]

@@ -17,11 +17,11 @@ from understudy.api.description.document import describe
 from understudy.api.description.operations import AUTHORING_OPERATIONS, LIVE_MESSAGES, OPERATIONS
 from understudy.api.problems import CODES, Problem
 from understudy.api.routes import router
+from understudy.files import resource_folder
 from understudy.model import Level, Mode
 from understudy.model.formats import DialectName, TimeForm
 from understudy.realizer.exporting.clip_json import to_clip_json
 from understudy.realizer.exporting.retargeting import load_rigs
-from understudy.resources import resource_folder
 from understudy.schemas.live import StartMessage
 from understudy.schemas.motion import ClipResponse
 from understudy.schemas.options import PerformOptions, RealizeOptions, check_options, check_realize_options

@@ -7,7 +7,7 @@ import pytest
 from tests.support.words.by_hand import movement, spoken, utterance
 from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.filling import GAZE_RANGE_DEGREES, LOOK_DEGREES, LOOK_S, FillingContext, fillers, free
-from understudy.behavior.idle.saccades import TALKING
+from understudy.behavior.idle.idle_behaviors import TALKING
 from understudy.behavior.reading.player import Ban
 from understudy.behavior.timing.anchoring import asked
 from understudy.model import Behavior, Channel, Interval

@@ -6,8 +6,7 @@ import pytest
 
 from tests.support.words.by_hand import function, movement, offered, spoken, utterance
 from understudy.behavior.characters.overlays import Characters
-from understudy.behavior.choice.modes import BEAT
-from understudy.behavior.choice.scheduling import schedule
+from understudy.behavior.choice.scheduling import BEAT, schedule
 from understudy.model import Behavior, BehaviorCandidates, Channel, Mode
 
 DEFAULT = Characters.load(Path(__file__).resolve().parents[3] / "lexicon").named("default")

@@ -3,7 +3,7 @@ from collections import Counter
 
 import pytest
 
-from understudy.behavior.idle.saccades import (
+from understudy.behavior.idle.idle_behaviors import (
     DIRECTIONS,
     LISTENING,
     NARROWEST_DEGREES,

@@ -8,11 +8,17 @@ from itertools import pairwise
 import pytest
 
 from understudy.behavior.reading.decoding import STROKES_APART_S, usual_times_s
-from understudy.behavior.reading.kinds import USUAL_SUPPORT, KindWorths
 from understudy.behavior.reading.planning import Plan, Understood, plan
 from understudy.behavior.reading.player import Player
 from understudy.behavior.reading.supports import WEIGHT_SCALE
-from understudy.behavior.reading.worths import JUST_BEFORE, JUST_SHOWN, JUST_SHOWN_S, after_what_was_shown
+from understudy.behavior.reading.worths import (
+    JUST_BEFORE,
+    JUST_SHOWN,
+    JUST_SHOWN_S,
+    USUAL_SUPPORT,
+    KindWorths,
+    after_what_was_shown,
+)
 from understudy.model import (
     DEFAULT_CHARACTER,
     Alternative,

@@ -16,8 +16,8 @@ from understudy.bml.markup.documents import (
     Value,
 )
 from understudy.bml.markup.elements import BML_CORE, CORE, SMARTBODY, Attribute, Dialect, ElementKind, ValueKind
-from understudy.bml.markup.xml_writing import to_xml
 from understudy.bml.reading.reader import read_bml
+from understudy.bml.writing.writer import to_xml
 from understudy.model.formats import DialectName
 
 CHARACTERS = st.characters(exclude_categories=["Cs", "Cc"], exclude_characters="\ufffe\uffff")

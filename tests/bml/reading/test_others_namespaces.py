@@ -6,9 +6,9 @@ import pytest
 
 from understudy.bml.markup.documents import Document
 from understudy.bml.markup.elements import SBM
-from understudy.bml.markup.xml_writing import to_xml
 from understudy.bml.reading.reader import read_bml
 from understudy.bml.reading.resolving import resolve
+from understudy.bml.writing.writer import to_xml
 from understudy.errors import WrongBmlError
 from understudy.model import Channel, Notice
 from understudy.model.formats import DialectName

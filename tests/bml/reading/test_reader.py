@@ -7,8 +7,8 @@ import pytest
 from tests.support.shared_data import BML_SUITE, needs
 from understudy.bml.markup.documents import Document, Element, Reference
 from understudy.bml.markup.parsing import ReadingLimits
-from understudy.bml.markup.xml_writing import to_xml
 from understudy.bml.reading.reader import MOST_MISTAKES, read_bml
+from understudy.bml.writing.writer import to_xml
 from understudy.errors import TooLargeError, WrongBmlError
 from understudy.model.formats import DialectName
 

@@ -9,10 +9,9 @@ from lxml import etree
 from tests.support.bml.bml_checker import check
 from tests.support.words.by_hand import FIGURE_8, spoken, utterance
 from understudy.bml.markup.elements import CORE, OURS, RECORD_TYPE
-from understudy.bml.markup.xml_writing import to_xml
 from understudy.bml.reading.reader import read_bml
 from understudy.bml.reading.record import read_record
-from understudy.bml.writing.writer import write_bml
+from understudy.bml.writing.writer import to_xml, write_bml
 from understudy.errors import WrongBmlError
 from understudy.model import Behavior, Channel, Hand, Level, Manner, Notice, Performance, SyncPoints, Word
 

@@ -12,7 +12,7 @@ from tests.support.bml.smartbody_checker import GESTURES as FOUND
 from tests.support.bml.smartbody_checker import STYLE, check_act, check_speech_file
 from tests.support.words.by_hand import spoken
 from understudy.behavior.characters.overlays import Characters
-from understudy.behavior.speech.visemes import visemes
+from understudy.behavior.speech import visemes
 from understudy.bml.markup.documents import Document, Element, Reference
 from understudy.bml.reading.reader import read_bml
 from understudy.bml.writing.smartbody import HEADS

@@ -6,9 +6,9 @@ import pytest
 
 from understudy.bml.writing.smartbody_tables import FILE, SmartBodyTables
 from understudy.errors import AuthoringError
+from understudy.files import resource_folder
 from understudy.model.formats import VisemeNames
 from understudy.model.tables import PHONES
-from understudy.resources import resource_folder
 
 SHIPPED = (resource_folder("lexicon") / FILE).read_text(encoding="utf-8")
 

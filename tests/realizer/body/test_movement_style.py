@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from understudy.errors import AuthoringError
+from understudy.files import resource_folder
 from understudy.realizer.body.movement_style import PLAIN, MovementStyle
-from understudy.resources import resource_folder
 
 IN_USE = resource_folder("lexicon") / "movement.yaml"
 

@@ -9,13 +9,13 @@ import pytest
 from tests.support.motion.hand_made_motion import BODY, X, Y, Z, turned, waving
 from tests.support.motion.mpeg4_reading import read_parameters
 from understudy.errors import AuthoringError, InputError
+from understudy.files import resource_folder
 from understudy.model.formats import BapVersion
 from understudy.realizer.body.motion import SHAPES, Motion
 from understudy.realizer.face.face_tables import VISEMES
 from understudy.realizer.geometry.rotations import from_axis_angle
 from understudy.realizer.mpeg4.fap import TABLE, FapTable, from_fap, named_shapes, to_fap
 from understudy.realizer.mpeg4.layout import FAPS, ReadParameters, read_parameter_file
-from understudy.resources import resource_folder
 
 FACE = FapTable.load(resource_folder("lexicon") / TABLE)
 JAW, LEFT_YAW, LEFT_PITCH = 3, 23, 25

@@ -4,12 +4,12 @@ import pytest
 
 from tests.support.motion.movements import behavior, schedule
 from understudy.behavior.characters.overlays import Characters
+from understudy.files import resource_folder
 from understudy.model import Behavior, Channel, Hand, Schedule, SyncPoints
 from understudy.models import load_realizer
 from understudy.realizer.body.motion import Decision
 from understudy.realizer.realizing import realize
 from understudy.realizer.scheduling.deviations import timing_deviations, unplayable_behaviors
-from understudy.resources import resource_folder
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import pytest
 
 from tests.support.shipped_rules import shipped_parser, shipped_rules
 from tests.support.words.utterances import words_of
-from understudy.acoustic.stress.stress import Measure, with_emphasis
+from understudy.acoustic.stress import Measure, with_emphasis
 from understudy.model import Function, Utterance
 from understudy.rules.derivation import derive_functions
 

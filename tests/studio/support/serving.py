@@ -15,8 +15,8 @@ from understudy.batch.batch import Nobody, run_batch
 from understudy.batch.request import BatchRequest
 from understudy.batch.work.formats import formats_named
 from understudy.batch.work.jobs import MotionForm
+from understudy.files import resource_folder
 from understudy.models import Understudy
-from understudy.resources import resource_folder
 from understudy.settings import Settings
 
 FLAGS = (

@@ -15,7 +15,7 @@ from playwright.sync_api import Page, ViewportSize, expect
 from tests.studio.support.changing import performed, place_of, select
 from tests.studio.support.serving import Theme
 from tests.studio.support.waiting import wait_until
-from understudy.resources import resource_folder
+from understudy.files import resource_folder
 
 WEBM = b"\x1a\x45\xdf\xa3"
 PLAYED_S = "Number(document.querySelector('#stage-canvas').dataset.time)"

@@ -5,10 +5,9 @@ from pathlib import Path
 import pytest
 
 from understudy.errors import InputError
+from understudy.files import resource_folder
 from understudy.options import Options
-from understudy.resources import resource_folder
-from understudy.study.making.lines import read_lines
-from understudy.study.request import StudySource
+from understudy.study.making.lines import StudySource, read_lines
 
 AUDIO = (resource_folder("examples") / "example.flac").read_bytes()
 

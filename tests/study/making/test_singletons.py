@@ -5,16 +5,16 @@ import pytest
 from numpy.typing import NDArray
 
 from understudy.errors import InputError
+from understudy.files import resource_folder
 from understudy.model import Channel, Line, Performance
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.realization import PreparedSchedule, RealizedSchedule
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.body.skeleton import forward
-from understudy.resources import resource_folder
-from understudy.study.making.clips import realized
 from understudy.study.making.lines import StudyLine
 from understudy.study.making.singletons import UnitVersions, in_modes, in_units_and_singly
+from understudy.study.making.site import realized
 
 EXAMPLES = resource_folder("examples")
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from understudy.acoustic.affect.line_affect import Stretch
 from understudy.acoustic.agitation.voice_quality import voice_quality
-from understudy.acoustic.contours import contours_of
+from understudy.acoustic.stage import contours_of
 from understudy.model import Audio, Contours, FloatArray, VoiceQuality
 
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from understudy.behavior.speech.visemes import visemes
+from understudy.behavior.speech import visemes
 from understudy.model import Behavior, Channel, FloatArray, Interval, Phone, Schedule, SyncPoints, Viseme, Word
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton

@@ -7,7 +7,7 @@ import pytest
 
 from training.acting.directed import DirectedLine
 from training.acting.listening import as_written, heard, voices_of
-from understudy.behavior.reading.delivery import WORDS_ALONE, Delivery
+from understudy.behavior.reading.encoder import WORDS_ALONE, Delivery
 from understudy.model import Affect, LineAffect, Tone
 
 WORDS = ("I", "never", "said", "she", "took", "the", "money.")

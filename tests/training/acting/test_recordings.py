@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from training.acting.recordings import read_measured, write_measured
-from understudy.behavior.reading.delivery import WORDS_ALONE, Delivery
+from understudy.behavior.reading.encoder import WORDS_ALONE, Delivery
 from understudy.model import Affect, LineAffect, PhraseAffect
 
 SAD = Affect(-0.4, -0.3, -0.2, (0.3, 0.0, 0.7, 0.0, 0.0, 0.0, 0.0))

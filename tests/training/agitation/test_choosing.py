@@ -24,7 +24,7 @@ from training.agitation.fuzzy_svm import (
     train_svm,
 )
 from understudy.acoustic.agitation.agitation import squared_distances
-from understudy.acoustic.agitation.speaker import TypicalSpeaker
+from understudy.acoustic.agitation.utterance_features import TypicalSpeaker
 from understudy.model import Audio, Level
 from understudy.model.voice.signal import SpeakerReference
 

@@ -5,9 +5,9 @@ import pytest
 from plugins.blender.retargeting.bone_tables import load_tables
 from plugins.blender.retargeting.matching import find_bones
 from plugins.blender.retargeting.skeleton import JOINTS
+from understudy.files import resource_folder
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.exporting.retargeting import load_rigs
-from understudy.resources import resource_folder
 
 TABLES = load_tables()
 RIGS = load_rigs(resource_folder("lexicon") / "retarget", Skeleton.standing())

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from understudy.acoustic.stress.prominence import BIAS, cues, prominence, with_listeners
+from understudy.acoustic.stress import BIAS, cues, prominence, with_listeners
 from understudy.model import Contours, FloatArray, Interval, Phone, Word
 
 LEVEL_HZ = np.full(400, 120.0)

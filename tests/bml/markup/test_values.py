@@ -2,7 +2,7 @@
 
 import pytest
 
-from understudy.bml.markup.slots import read_slots, written_slots
+from understudy.bml.markup.values import read_slots, written_slots
 from understudy.model import Distance, Height, Side, Size, Slots, Which
 
 FULL = Slots(Height.CHILD, 0.95, Size.TINY, 0.0254, 4, Side.LEFT, Distance.FAR, -30.0, Which.THAT, "wall_2", "anna")

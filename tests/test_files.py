@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from understudy.whole_files import replace_file
+from understudy.files import replace_file
 
 
 def test_a_file_is_replaced_and_keeps_its_mode(tmp_path: Path) -> None:

@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from understudy.behavior.reading.authored_weights import TermNames, load_weights
+from understudy.behavior.reading.planner import TermNames, load_weights
 from understudy.errors import AuthoringError
 
 FAMILIES = ("present", "negation")

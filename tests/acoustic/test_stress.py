@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from tests.support.shipped_rules import shipped_rules
 from tests.support.words.utterances import utterance, words_of
-from understudy.acoustic.stress.stress import Measure, stress, with_emphasis
+from understudy.acoustic.stress import Measure, stress, with_emphasis
 from understudy.model import EMPHASISED, Contours, FloatArray, Interval, Utterance, Word
 from understudy.rules.derivation import derive_functions
 

@@ -1,0 +1,42 @@
+"""Files: where those are that belong to the code, and how one is written whole.
+
+In a checkout the files that belong to the code are beside the package, in a wheel inside it. Of a file that is written,
+readers see the old content or the new, never a part, and a killed process leaves the old one.
+"""
+
+import os
+import shutil
+from pathlib import Path
+
+from .errors import ServiceError
+
+_PACKAGE = Path(__file__).resolve().parent
+
+RULES = _PACKAGE / "rules"
+"""The rule files, which are inside the package."""
+
+
+def resource_folder(name: str) -> Path:
+    """The folder `name` ("lexicon", "models", "examples"), wherever the package is installed.
+
+    Raises ServiceError with code `installation_incomplete` when it is in neither place.
+    """
+    for parent in (_PACKAGE, _PACKAGE.parent):
+        if (parent / name).is_dir():
+            return parent / name
+    raise ServiceError(
+        "installation_incomplete", f"the folder {name!r} is missing beside {_PACKAGE}; reinstall understudy"
+    )
+
+
+def replace_file(target: Path, content: bytes, *, unfinished: Path | None = None) -> None:
+    """Writes a file under another name, beside it or as `unfinished` on the same disk, and renames that. A file that is
+    replaced keeps its mode. Raises OSError; then there is nothing under the other name."""
+    unfinished = unfinished or target.with_name(f".{target.name}.{os.getpid()}")
+    try:
+        unfinished.write_bytes(content)
+        if target.exists():
+            shutil.copymode(target, unfinished)
+        os.replace(unfinished, target)
+    finally:
+        unfinished.unlink(missing_ok=True)

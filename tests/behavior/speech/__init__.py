@@ -1,1 +1,0 @@
-"""Lead-in, delivery and mouth shapes: `app/behavior/speech`. Begin with `test_visemes.py`."""
