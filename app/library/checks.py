@@ -1,5 +1,4 @@
-"""Checks a line, and what is asked of its motion (the format's writer, the rig's name, the physics), before anything
-large is loaded.
+"""Checks a line before anything large is loaded.
 
 Loading spaCy, the aligner and their models takes most of the time of a short line; nothing here needs them.
 """
@@ -7,14 +6,10 @@ Loading spaCy, the aligner and their models takes most of the time of a short li
 from ..acoustic.alignment.timings import read_timings
 from ..acoustic.signal.decoding import decode
 from ..acoustic.stage import audio_limits
-from ..authored_folders import lexicon_folder, rules_folder
+from ..authored_folders import rules_folder
 from ..behavior.candidates.notes import check_direction
 from ..model import GivenFunction, Line
 from ..models import load_characters
-from ..realizer.body.skeleton import Skeleton
-from ..realizer.exporting.extras import require_writer
-from ..realizer.exporting.retargeting import find_rig, load_rigs
-from ..realizer.physics.tracking import require_physics
 from ..rules.derivation import given_facts
 from ..rules.priorities import Priorities
 from ..settings import Settings
@@ -42,12 +37,3 @@ def check_character(name: str) -> None:
 def _check_functions(given: tuple[GivenFunction, ...], words: int) -> None:
     if given:
         given_facts(given, Priorities.load(rules_folder() / "functions" / "priorities.yaml"), words=words)
-
-
-__all__ = ["check_skeleton", "require_physics", "require_writer"]
-
-
-def check_skeleton(name: str | None) -> None:
-    """Raises InputError `unknown_skeleton`."""
-    if name is not None:
-        find_rig(load_rigs(lexicon_folder() / "retarget", Skeleton.standing()), name)

@@ -3,7 +3,7 @@
 from itertools import product
 
 from tests.support.motion.gesture_files import gesture
-from understudy.authoring.gestures import check_text
+from understudy.authoring.gesture_texts import check_text
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.schemas.gestures.language import GestureLanguageResponse
 

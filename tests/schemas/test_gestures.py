@@ -3,7 +3,7 @@
 import pytest
 
 from understudy.authoring.catalogue import load_gestures
-from understudy.authoring.gestures import NAME
+from understudy.authoring.gesture_texts import NAME
 from understudy.errors import InputError
 from understudy.realizer.gestures.library import parse_definitions
 from understudy.realizer.gestures.writing import write_gesture

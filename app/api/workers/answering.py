@@ -9,7 +9,6 @@ from types import MappingProxyType
 
 from ...authoring.rule_edits import Edits, rules_wrong, with_edits
 from ...errors import AuthoringError, InputError, UnsupportedFormatError
-from ...library.checks import require_writer
 from ...library.language import find_functions
 from ...library.motion import (
     AvatarOptions,
@@ -20,6 +19,7 @@ from ...library.motion import (
     realize_prepared,
     write_realized,
 )
+from ...library.motion_checks import require_writer
 from ...library.performing import PerformedLine, perform_line
 from ...library.writing import write_bml_files
 from ...model import Line, Notice

@@ -3,7 +3,7 @@
 from pathlib import PurePath
 
 from ...authoring.catalogue import Catalogue
-from ...authoring.gestures import Playing, check_text, one_gesture, schedule_of_gesture, with_only
+from ...authoring.gesture_texts import Playing, check_text, one_gesture, schedule_of_gesture, with_only
 from ...authoring.rule_edits import compare, example_lines, mistakes_in, with_edits
 from ...errors import InputError, TooLargeError, UnsupportedFormatError
 from ...library.motion import OURS, realize_prepared, write_realized

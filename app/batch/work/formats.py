@@ -7,7 +7,7 @@ from enum import StrEnum
 from pathlib import PurePosixPath
 
 from ...errors import InputError, did_you_mean
-from ...library.checks import require_writer
+from ...library.motion_checks import require_writer
 from ...model.formats import PICTURES, MotionFormat
 from ...settings import Settings
 

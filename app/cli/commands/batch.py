@@ -16,7 +16,8 @@ from ...batch.scripts.columns import read_named
 from ...batch.work.formats import formats_named, needs_pictures, require_writers
 from ...batch.work.jobs import MotionForm
 from ...errors import InputError
-from ...library.checks import check_character, check_skeleton
+from ...library.checks import check_character
+from ...library.motion_checks import check_skeleton
 from ...settings import Settings, read_settings
 from ..files import OutputName, require_distinct, write_standard
 from ..inputs.lines import performance_options

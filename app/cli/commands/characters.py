@@ -26,7 +26,7 @@ def _show(arguments: argparse.Namespace, _log: Log) -> None:
 
 
 def _render(arguments: argparse.Namespace, log: Log) -> None:
-    from ...authoring.gestures import draw_characters  # the other actions need no body
+    from ...authoring.gesture_views import draw_characters
 
     require_plot(arguments.output)
     require_writable(arguments.output, field="output")

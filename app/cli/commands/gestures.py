@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ...authoring.catalogue import load_characters, load_families, load_gestures
 from ...authoring.file_checking import check_files
-from ...authoring.gestures import Definition, draw_gestures, gestures_in, gestures_named, pose_doubts
+from ...authoring.gesture_views import Definition, draw_gestures, gestures_in, gestures_named, pose_doubts
 from ...model import Hand, Level, Notice
 from ...schemas.library import GesturesResponse
 from ..files import require_writable, write, write_standard

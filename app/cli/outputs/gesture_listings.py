@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from ...authoring.gestures import Definition, Library, clips_by_level, place_of
+from ...authoring.gesture_views import Definition, Library, clips_by_level, place_of
 from ...model import Hand, Level
 
 _FACTORS = ("amplitude", "tempo", "fluidity", "power", "repetition")

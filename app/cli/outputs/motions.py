@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ...library.checks import check_skeleton, require_physics, require_writer
+from ...library.motion_checks import check_skeleton, require_physics, require_writer
 from ...model.formats import PICTURES, AudioFile, BapVersion, FileOptions, Keys, format_of
 from ...models import load_realizer
 from ...option_table import MOTION

@@ -7,7 +7,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from ...authoring.gestures import CheckedText
+from ...authoring.gesture_texts import CheckedText
 from ...errors import InputError, Mistake
 from ...model import Hand, Level
 from ...realizer.arms.plausibility import Doubt

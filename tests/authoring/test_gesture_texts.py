@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.support.motion.gesture_files import gesture
-from understudy.authoring.gestures import (
+from understudy.authoring.gesture_texts import (
     BEFORE_S,
     BEHAVIOR,
     MOST_MISTAKES,
