@@ -1,24 +1,20 @@
-"""The stressed ratio of words: the share of their frames that exceed the utterance's thresholds (paper §3.1.5); and
-their emphasis, from the selected measure of stress, the value that all later stages use.
+"""The stress of words: the paper's stressed ratio (§3.1.5), perceived prominence, and their emphasis, from the selected
+of the two, the value that all later stages use.
 
-The thresholds are the utterance's 90th percentiles of energy and f0; a frame is stressed if it exceeds either. Frame k
-is centred on k × `FRAME_SHIFT_S` and belongs to the word whose interval contains its centre (start inclusive, end
-exclusive). The percentile of f0 is over voiced frames only: the 0 of unvoiced frames is not an observation of f0, and
-would lower the threshold with every pause. That of energy is over all frames.
+The stressed ratio is the share of a word's frames that exceed the utterance's thresholds, its 90th percentiles of
+energy and f0; a frame is stressed if it exceeds either. Frame k is centred on k × `FRAME_SHIFT_S` and belongs to the
+word whose interval contains its centre (start inclusive, end exclusive). The percentile of f0 is over voiced frames
+only: the 0 of unvoiced frames is not an observation of f0, and would lower the threshold with every pause. That of
+energy is over all frames.
 
-Rules test the emphasis, strokes fall on the word with the highest, repeated strokes and head dips on emphasized words,
-and the mouth opens by it. Prominence (`prominence.py`) agrees with listeners far better than the paper's ratio:
-`benchmarks/acoustic/prominence.py`. Words without known phones have only the ratio and are judged by it. Since their
-thresholds differ, both are mapped to one scale, piecewise linearly: 0 to 0, the threshold to `EMPHASISED`, 1 to 1.
-
-Perceived prominence of words: the probability that listeners perceive one of its syllables as stressed.
-
-The paper's stressed ratio (`understudy.acoustic.stress.stress`) uses loudness and pitch. Listeners rely mostly on
-duration, and on pitch movement more than on pitch height. Five cues of each syllable, relative to the mean of the
-utterance's syllables, are weighted by a logistic regression trained on syllables rated by listeners (`python -m
-training.prominence`, on German; `python -m benchmarks.acoustic.prominence` evaluates on held-out speakers, with the
-contribution of each cue, in German and English). Loudness is relative to the neighbouring syllables only; relative to
-the whole utterance it adds nothing, nor does the mean duration of the syllable's phones.
+Prominence is the probability that listeners perceive one of a word's syllables as stressed. The paper's ratio uses
+loudness and pitch. Listeners rely mostly on duration, and on pitch movement more than on pitch height. Five cues of
+each syllable, relative to the mean of the utterance's syllables, are weighted by a logistic regression trained on
+syllables rated by listeners (`python -m training.prominence`, on German; `python -m benchmarks.acoustic.prominence`
+evaluates on held-out speakers, with the contribution of each cue, in German and English). Loudness is relative to the
+neighbouring syllables only; relative to the whole utterance it adds nothing, nor does the mean duration of the
+syllable's phones. A word is as prominent as its most prominent syllable; between two vowels the second syllable begins
+with the last consonant.
 
 In a flat voice the differences are smaller, yet listeners perceive stress in each of its sentences (on .16 of the
 syllables in neutral, .23 in angry speech). So the weighted sum is divided by the square root of its standard deviation
@@ -30,8 +26,10 @@ Of whole words listeners' own judgement is known better: a network that was taug
 length misleads. Where the recording was heard, a word's prominence is a weighted sum of both log odds
 (`with_listeners`), by which content words of TIMIT stand over function words more often than by either alone.
 
-Frame k is centred on k × `FRAME_SHIFT_S`. A word is as prominent as its most prominent syllable; between two vowels the
-second syllable begins with the last consonant.
+Rules test the emphasis, strokes fall on the word with the highest, repeated strokes and head dips on emphasized words,
+and the mouth opens by it. Prominence agrees with listeners far better than the paper's ratio
+(`benchmarks/acoustic/prominence.py`). Words without known phones have only the ratio and are judged by it. Since their
+thresholds differ, both are mapped to one scale, piecewise linearly: 0 to 0, the threshold to `EMPHASISED`, 1 to 1.
 """
 
 import math

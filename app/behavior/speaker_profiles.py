@@ -1,13 +1,13 @@
-"""Applies the habits of a speaker's profile other than gestures, to speakers and listeners: how much the head moves,
-how long the eyes stay on the listener, the posture, and where the hands rest.
+"""Applies a speaker's profile to a line: its gestures and its other habits.
 
-Connects a speaker's profile to a line: gives gesture generation what it needs from the other stages, and turns its
-script into behaviours.
+Gesture generation gets what it needs from the other stages, and its script is turned into behaviours. What rules and
+notes forbid stays forbidden: lexemes that the behaviour table does not offer, hands that it does not offer them for,
+iconic gestures without their words, what a director wants avoided or still, and transitions that are too fast. Gestures
+that a director, a caller's functions or a pointing ask for are made by the rules; the profile's gestures leave time for
+them.
 
-What rules and notes forbid stays forbidden: lexemes that the behaviour table does not offer, hands that it does not
-offer them for, iconic gestures without their words, what a director wants avoided or still, and transitions that are
-too fast. Gestures that a director, a caller's functions or a pointing ask for are made by the rules; the profile's
-gestures leave time for them.
+The other habits are those of speakers and listeners: how much the head moves, how long the eyes stay on the listener,
+the posture, and where the hands rest.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence

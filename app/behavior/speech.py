@@ -1,12 +1,6 @@
-"""Describes a line's delivery for a realizer: the phrases between its pauses, and the times of stress.
+"""A line's delivery as data for a realizer: lip sync, the phrases between pauses, and the times of stress.
 
-Phrases stand for intonation units, in which gestures flow into each other (Kipp, Neff et al. 2007, §3.3, take a
-segmentation of the utterance): they end at a pause or the end of a sentence. Times are seconds of the words' intervals.
-
-Where a text says which words are its rheme, gestures repeat their strokes on the emphases of the rheme (Gesture Engine
-§5.1).
-
-Lip sync as data: which of fifteen mouth shapes falls when, and how far the mouth goes into it (paper §3.8).
+Lip sync says which of fifteen mouth shapes falls when, and how far the mouth goes into it (paper §3.8).
 
 Departure from §3.8: the paper animates hand-made curves of diphones; its curves are not public, so we give the shapes
 of the single phones, with their times, for the character's own rig to blend. Shapes and phones as in
@@ -19,6 +13,12 @@ their shape, since lips that do not close are no P.
 The lips are shut in the first two thirds of a P before another sound: after the burst comes aspiration (58 ms in
 stressed syllables, Lisker & Abramson 1964), in which the mouth already has the next sound's shape. Aligners include it
 in the P; in TIMIT, whose closures and bursts are labelled separately, a third of the P is burst and aspiration.
+
+Phrases stand for intonation units, in which gestures flow into each other (Kipp, Neff et al. 2007, §3.3, take a
+segmentation of the utterance): they end at a pause or the end of a sentence. Times are seconds of the words' intervals.
+
+Where a text says which words are its rheme, gestures repeat their strokes on the emphases of the rheme (Gesture Engine
+§5.1).
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence

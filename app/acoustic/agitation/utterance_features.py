@@ -1,21 +1,19 @@
-"""Feature vectors of utterances for the classification of agitation (paper §3.1.4).
+"""Feature vectors of utterances for the classification of agitation (paper §3.1.4), and a speaker's reference: mean and
+deviation of the features over other recordings, to normalize an utterance by.
 
 There are two sets. `paper` is the median of the 12 MFCC. `full` adds range and rate of change of the MFCC, energy,
 pitch, voice quality, vocal effort and voice dynamics. No feature depends on the recording's level or the utterance's
 length. Without voiced frames, voice features are NaN (unknown).
 
-Features of voice dynamics within the utterance, which depend little on the speaker.
+Features of voice dynamics within the utterance depend little on the speaker. Speakers differ in average pitch and
+timbre but less in how these change. In agitated speech, loudness, timbre and pitch change faster and decline less
+towards the end, and the spectrum changes at other places: in loud and high moments rather than between them. Levels are
+in dB, pitch in octaves, frames 10 ms apart. NaN if too few frames are voiced. Neither the recording's level nor the
+utterance's length matters.
 
-Speakers differ in average pitch and timbre but less in how these change. In agitated speech, loudness, timbre and pitch
-change faster and decline less towards the end, and the spectrum changes at other places: in loud and high moments
-rather than between them. Levels are in dB, pitch in octaves, frames 10 ms apart. NaN if too few frames are voiced.
-Neither the recording's level nor the utterance's length matters.
-
-A speaker's reference: mean and deviation of the features over other recordings, to normalize an utterance by.
-
-Statistics of few recordings are unreliable, so they are shrunk towards those of a typical speaker, with a prior weight
-of `MEAN_PRIOR` recordings (`DEVIATION_PRIOR` for the deviation). `MEAN_PRIOR` is the median over features of the
-variance within speakers divided by that between speakers.
+Statistics of few recordings are unreliable, so those of a reference are shrunk towards those of a typical speaker, with
+a prior weight of `MEAN_PRIOR` recordings (`DEVIATION_PRIOR` for the deviation). `MEAN_PRIOR` is the median over
+features of the variance within speakers divided by that between speakers.
 """
 
 from collections.abc import Callable, Mapping

@@ -1,6 +1,4 @@
-"""Peaks of a curve, and the best path through candidates from frame to frame (Viterbi).
-
-Summation of residual harmonics (SRH): a score for each f0 candidate from the spectrum of the LPC residual.
+"""Summation of residual harmonics (SRH): a score for each f0 candidate from the spectrum of the LPC residual.
 
 For each candidate f, SRH sums the amplitudes at its first harmonics and subtracts those half way between, so that
 neither the octave above nor the one below wins. Source: paper §3.1.3, eq. 3; Drugman & Alwan, "Joint robust voicing
@@ -10,14 +8,15 @@ Frame k is centred on k × `FRAME_SHIFT_S`; frequencies are in Hz. Amplitudes ar
 interpolated linearly. If nothing above 3.5 kHz is needed, the residual is computed at half the rate: in 74 files of
 five corpora the same frames were voiced, and of 10,504 voiced ones a single f0 changed by more than 0.1 %.
 
-The linear prediction residual: the signal with the vocal tract removed, a pulse train in voiced speech (paper §3.1.3).
-
-Hann frames of 25 ms, each filtered by its own prediction error filter of order fs / 1000 + 2, are overlapped by half
-and added. If only the lower part of the spectrum is needed, the residual can have half the signal's rate: the upper
-half of each frame's spectrum is dropped.
+The residual of linear prediction is the signal with the vocal tract removed, a pulse train in voiced speech (paper
+§3.1.3). Hann frames of 25 ms, each filtered by its own prediction error filter of order fs / 1000 + 2, are overlapped
+by half and added. If only the lower part of the spectrum is needed, the residual can have half the signal's rate: the
+upper half of each frame's spectrum is dropped.
 
 Spectra are in single precision, prediction in double: its filters cancel components up to 60 dB above the rest. Two of
 the four transforms have few inputs or outputs and are computed as matrix products.
+
+Here are also the peaks of a curve, and the best path through candidates from frame to frame (Viterbi).
 """
 
 from collections.abc import Iterator

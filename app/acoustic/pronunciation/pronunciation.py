@@ -1,15 +1,14 @@
-"""Grapheme-to-phoneme conversion: predicts the pronunciation of an unknown word from its spelling.
+"""Pronunciations of spoken tokens: from pocketsphinx's dictionary, derived by rule from a word in it, or predicted.
 
-A graphone is a chunk of one or two letters with the phones it spells, "ph:F" or "x:K_S". The model is an n-gram model
-over graphones; the pronunciation is that of the likeliest sequence that spells the word, found by beam search (Bisani &
-Ney 2008). `training/pronunciation/` trains the model; `models/pronunciation/README.md` documents its accuracy.
+Phones are the dictionary's 39 ARPABET labels. It marks no lexical stress.
+
+The pronunciation of an unknown word is predicted from its spelling (grapheme-to-phoneme conversion). A graphone is a
+chunk of one or two letters with the phones it spells, "ph:F" or "x:K_S". The model is an n-gram model over graphones;
+the pronunciation is that of the likeliest sequence that spells the word, found by beam search (Bisani & Ney 2008).
+`training/pronunciation/` trains the model; `models/pronunciation/README.md` documents its accuracy.
 
 On disk (`graphones.npz`, no pickles) the n-grams are a trie. An n-gram of order k is a row of order k: the row of its
 context in order k − 1, times 1024, plus its last graphone. The rows are sorted; `keys_k` holds their differences.
-
-Pronunciations of spoken tokens: from pocketsphinx's dictionary, derived by rule from a word in it, or predicted.
-
-Phones are the dictionary's 39 ARPABET labels. It marks no lexical stress.
 """
 
 import zipfile

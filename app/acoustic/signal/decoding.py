@@ -1,14 +1,12 @@
-"""Identifies audio files by their first bytes and checks that they are complete, before decoding.
-
-libsndfile reads some thirty formats, accepts a truncated WAV as a shorter one, and fails obscurely on a truncated Ogg;
-so container and completeness are checked here.
-
-Decodes audio files to a mono signal at `SAMPLE_RATE_HZ`, or says clearly why this is not possible.
+"""Decodes audio files to a mono signal at `SAMPLE_RATE_HZ`, or says clearly why this is not possible.
 
 WAV, FLAC and OGG are read by libsndfile and resampled by soxr, both block by block, so that memory is bounded by the
 limits and not by what a file expands to. Amplitudes are relative to full scale (±1). The limits are checked against the
 header, and no more is ever decoded than it states, so small files that would expand to hours cost nothing, whether
 their headers are correct or not. The mean is removed. Samples are in single precision.
+
+Audio files are identified by their first bytes, and it is checked that they are complete, before they are decoded:
+libsndfile reads some thirty formats, accepts a truncated WAV as a shorter one, and fails obscurely on a truncated Ogg.
 """
 
 import io

@@ -4,10 +4,9 @@ The signal is zero-padded at both ends. Frames come in blocks that fit into the 
 takes little more memory than a minute. They are in single precision, as fine as 24-bit audio, in which spectra take
 half the time.
 
-Matrix products that stay on one processor core.
-
-OpenBLAS distributes more than 2^18 multiplications over all cores. Speech frames are too few for that to pay: on two
-cores the contours of a line took twice the processor time and no less elapsed time.
+Products of matrices of frames stay on one processor core. OpenBLAS distributes more than 2^18 multiplications over all
+cores. Speech frames are too few for that to pay: on two cores the contours of a line took twice the processor time and
+no less elapsed time.
 """
 
 from collections.abc import Iterator

@@ -1,16 +1,13 @@
-"""Energy and Mel-frequency cepstral coefficients (MFCC), every 10 ms (paper §3.1.1, §3.1.2).
+"""Energy and Mel-frequency cepstral coefficients (MFCC), every 10 ms (paper §3.1.1, §3.1.2); and, by the power of the
+signal, sound and silence: the signal-to-background ratio, and whether it suffices to judge agitation.
 
 Frames are 32 ms long and placed as in `understudy.acoustic.signal.frames`. Levels are in dB re full scale squared, so
 that energy is 0 dB where the windowed samples' squares sum to 1.
 
-librosa's Mel filters and cepstral coefficients, as matrices by which a spectrum is multiplied.
-
-The scale is Slaney's (Auditory Toolbox, 1998), linear up to 1 kHz and logarithmic beyond; filters are triangles of area
-1 over hertz. Both are constants of librosa's, and importing librosa takes longer than analysing a line, and 180 MB
+The Mel filters and cepstral coefficients are librosa's, as matrices by which a spectrum is multiplied. The scale is
+Slaney's (Auditory Toolbox, 1998), linear up to 1 kHz and logarithmic beyond; filters are triangles of area 1 over
+hertz. Both are constants of librosa's, and importing librosa takes longer than analysing a line, and 180 MB
 (docs/measurements/speed.md): so it is imported only if a matrix is not cached (`understudy.cache`).
-
-Tells sound from silence: the power of the signal every 10 ms, the signal-to-background ratio, and whether it suffices
-to judge agitation.
 """
 
 from collections.abc import Callable

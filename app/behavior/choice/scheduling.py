@@ -1,20 +1,18 @@
-"""Adjusts the speed of transitions between gestures (paper §3.8, Figure 4): as fast as the next stroke, if possible.
-
-Where a gesture joins the next and the transition would be faster than the stroke, its hold ends earlier, because a fast
-transition looks as if it meant more than the stroke. That is our addition: the paper accepts transitions that are
-faster by no more than v_th. Where the transition would be slower, the realizer prolongs the hold.
-
-The three conditions of the paper's study (§5): gestures from the meaning, from the stress, or from chance.
-
-Head, eyes and face are those of the meaning in all three, so that a comparison of them compares the gestures. The two
-rivals are made as good as possible: beats are spread over the stressed words of the whole line, and chance draws anew
-for each text.
-
-From candidates to a timed schedule (paper §3.4, §3.5): what is done, when it begins, strikes and ends, with which hand.
+"""From candidates to a timed schedule (paper §3.4, §3.5): what is done, when it begins, strikes and ends, with which
+hand.
 
 How a movement is timed by its word is in `timing/anchoring.py`, which alternatives are taken in `choosing.py`, what
-does not fit together is settled in `timing/conflicts.py`, how gestures are joined in `timing/transitions.py`, what the
-body does by itself is in `idle/idle_behaviors.py`.
+does not fit together is settled in `timing/conflicts.py`, what the body does by itself is in `idle/idle_behaviors.py`.
+
+Transitions between gestures are as fast as the next stroke, if possible (paper §3.8, Figure 4). Where a gesture joins
+the next and the transition would be faster than the stroke, its hold ends earlier, because a fast transition looks as
+if it meant more than the stroke. That is our addition: the paper accepts transitions that are faster by no more than
+v_th. Where the transition would be slower, the realizer prolongs the hold.
+
+The three conditions of the paper's study (§5) take gestures from the meaning, from the stress, or from chance. Head,
+eyes and face are those of the meaning in all three, so that a comparison of them compares the gestures. The two rivals
+are made as good as possible: beats are spread over the stressed words of the whole line, and chance draws anew for each
+text.
 """
 
 import random

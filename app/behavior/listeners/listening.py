@@ -1,21 +1,17 @@
-"""Decides which listener the speaker addresses, and where listeners are, if there are several or the scene places one.
+"""The listeners of a line: which of them the speaker addresses, where they are, and what each does (paper §3.6):
+generic feedback, driven by the speaker.
+
+The speaker's head movements are mirrored after half a second. Beyond the paper, the listener nods where the speaker
+pauses or ends a phrase (Yngve's back channels), blinks there, and looks at the speaker by the statistics of people who
+listen (`idle/idle_behaviors.py`). The frequencies are measured (`lexicon/acting/head_rates.yaml`, written by
+`training/head_rates.py`): people leave most movements unanswered and most pauses without a nod. Probabilities are in
+[0, 1]; all mistakes in the file are reported at once, with their places.
 
 The input does not say to whom each sentence is addressed, so the speaker turns to the next listener when another
 sentence begins, in the order in which they were named. Listeners without a target stand in an arc before the speaker,
 with their eyes at average height, each at the distance of a conversation of two, or farther where they would touch.
-Metres, seconds.
 
-The behaviour of a listener while a line is spoken (paper §3.6): generic feedback, driven by the speaker.
-
-The speaker's head movements are mirrored after half a second. Beyond the paper, the listener nods where the speaker
-pauses or ends a phrase (Yngve's back channels), blinks there, and looks at the speaker by the statistics of people who
-listen (`saccades.py`). The frequencies are measured: people leave most movements unanswered and most pauses without a
-nod. Times are seconds of the speaker's audio.
-
-They are read from `lexicon/acting/head_rates.yaml`.
-
-Probabilities are in [0, 1], times seconds. The file is written by `training/head_rates.py`; all mistakes in it are
-reported at once, with their places.
+Metres; seconds of the speaker's audio.
 """
 
 import random

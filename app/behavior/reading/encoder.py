@@ -1,9 +1,4 @@
-"""How a line is said, for the reading: its focus by word, its affect, its loudness.
-
-Each is None where it is not known: without audio, or where the analysis does not measure it. A reading of the words
-alone has none of them. Shapes: W words, H features.
-
-Reads a delivery of a line in context: what each gesture family, head movement, face and gaze would be worth to a
+"""Reads a delivery of a line in context: what each gesture family, head movement, face and gaze would be worth to a
 director at each word, and how big and fast the movements would be.
 
 A small transformer encoder (BERT architecture, Devlin et al. 2019), fine-tuned on directed lines (`training/acting`,
@@ -11,9 +6,11 @@ models/acting/README.md) and run by ONNX Runtime in eight-bit integers. The voca
 in the file's metadata. What is not known of the delivery was left out at random in training, so that the words alone
 can be read too. Shapes: W words, P pieces, F gesture families, H head movements, K faces, G gazes.
 
-Splits words into the pieces of a BERT vocabulary: lower case, without accents, each piece the longest that matches.
+Of the delivery it takes focus by word, affect and loudness, each of them None where it is not known: without audio, or
+where the analysis does not measure it.
 
-Source: Devlin et al. 2019 (uncased WordPiece). A piece that continues a word begins with "##".
+Words are split into the pieces of a BERT vocabulary (uncased WordPiece): lower case, without accents, each piece the
+longest that matches; a piece that continues a word begins with "##".
 """
 
 import unicodedata

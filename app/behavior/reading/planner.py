@@ -1,10 +1,9 @@
-"""Loads weights that authors set by hand, on top of the fitted ones: how much a term speaks for or against a family of
-gestures, a kind of head movement or a face.
+"""What planning needs, loaded once: the encoder, the weights of the choice, and the tables of authors.
 
-Read from `lexicon/acting/weights.yaml`. A weight is in log-odds: 0.7 doubles the odds, -0.7 halves them; `any` applies
-to every family of gestures. All mistakes in the file are reported at once, with their places.
-
-What planning needs, loaded once: the encoder, the weights of the choice, and the tables of authors.
+Authors may set weights by hand, on top of the fitted ones, in `lexicon/acting/weights.yaml`: how much a term speaks for
+or against a family of gestures, a kind of head movement or a face. A weight is in log-odds: 0.7 doubles the odds, -0.7
+halves them; `any` applies to every family of gestures. All mistakes in the file are reported at once, with their
+places.
 """
 
 import re

@@ -1,16 +1,15 @@
-"""The worth of every gesture on every word of a line: one sum of named parts in log-odds.
+"""The worths, in log-odds, of every gesture, head movement and face on every word of a line: each is one sum of named
+parts.
 
     log-odds(word, lexeme) = those of its families (reading, how common they are, terms) + a mapping rule's support
                              + the verb that a mime shows + the focus on the word + what was shown just before + chance
 
 So the reading, the paper's rules, the voice, the author and chance are heard at once, and each choice can name what
-decided it. Shapes: W words, F families, L lexemes.
+decided it. Shapes: W words, F families, L lexemes, K kinds.
 
-The worth of every kind of head movement or face on every word: the reading, what authors' weights and offers add, and
-chance, in log-odds. Shapes: W words, K kinds.
-
-What the rules usually offer is in the reading's thresholds already; an offer adds what its support (`supports.py`)
-exceeds the usual by, so that a rule of great weight or a function of high priority is heard.
+A kind of head movement or face is worth what the reading, authors' weights, offers and chance add up to. What the rules
+usually offer is in the reading's thresholds already; an offer adds what its support (`supports.py`) exceeds the usual
+by, so that a rule of great weight or a function of high priority is heard.
 """
 
 import random

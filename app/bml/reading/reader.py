@@ -1,17 +1,15 @@
-"""Moves the other sync points along with those moved by hand in a file of ours.
-
-The record has the durations of each behaviour's phases as scheduled (`understudy.bml.writing.blocks`). Points that no
-longer agree with most of the others were moved. If that is a point up to the end of the stroke, the whole behaviour
-moves by as much, because strokes are never stretched; if it is `relax`, which lengthens or shortens a hold, `end` moves
-too; `end` moves alone. Points that were moved stay where they were put. Points at 0 that are written a moment later
-(`FIRST_MOMENT_S`) were not moved.
-
-Reads BML 1.0 core or SmartBody's dialect, identified by the root, from XML, with the place of every mistake.
+"""Reads BML 1.0 core or SmartBody's dialect, identified by the root, from XML, with the place of every mistake.
 
 In the core, every name in its namespaces must be known. Elements and attributes of other namespaces are extensions,
 which are kept and reported; in SmartBody's dialect, which has many more names than we know, this holds for all unknown
 names. White space between elements is ignored, runs of it in attributes count as one space. The content of a
 `description` is not checked.
+
+In a file of ours the other sync points move along with those moved by hand. The record has the durations of each
+behaviour's phases as scheduled (`understudy.bml.writing.blocks`). Points that no longer agree with most of the others
+were moved. If that is a point up to the end of the stroke, the whole behaviour moves by as much, because strokes are
+never stretched; if it is `relax`, which lengthens or shortens a hold, `end` moves too; `end` moves alone. Points that
+were moved stay where they were put. Points at 0 that are written a moment later (`FIRST_MOMENT_S`) were not moved.
 """
 
 import re

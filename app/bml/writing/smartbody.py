@@ -1,16 +1,15 @@
-"""The recorded speech in SmartBody's dialect: the element in the act, and the file it requires beside the audio.
-
-SmartBody finds a recording by `ref`, the name of its files without extension: NAME.wav is played, and NAME.bml beside
-it has the word times (`sync`) and visemes (`lips`); without visemes there it refuses the speech. It copies the element
-as text without escaping it, so that `&`, `<` and `>` in it cut it off.
-
-Converts the schedule of a performance to an act of SmartBody (docs/references.md).
+"""Converts the schedule of a performance to an act of SmartBody (docs/references.md).
 
 SmartBody has a smaller vocabulary. Gestures are written as the nearest in its shipped gesture map (`smartbody_tables`),
 head movements as the nearest of three (`HEADS`). Faces are action units, as are blinks; a gaze lasts until the next, so
 one that returns becomes two, and gazes at targets that the scene is not known to have are left out; a posture is the
 name of one of the character's own. Gestures have only `stroke` and `relax`, since its scheduler accepts no others
-together. The visemes are in the file beside the recording (`smartbody_speech`): lips in the act are ignored.
+together. The visemes are in the file beside the recording (`speech_file`): lips in the act are ignored.
+
+The speech is an element in the act, and a file beside the audio: SmartBody finds a recording by `ref`, the name of its
+files without extension: NAME.wav is played, and NAME.bml beside it has the word times (`sync`) and visemes (`lips`);
+without visemes there it refuses the speech. It copies the element as text without escaping it, so that `&`, `<` and `>`
+in it cut it off.
 """
 
 from collections.abc import Iterator, Mapping

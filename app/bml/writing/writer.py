@@ -1,15 +1,14 @@
-"""Writes BML documents as XML that strict realizers accept (docs/references.md).
+"""Writes the kept behaviours of a performance as BML, in the requested dialect and time form (docs/references.md).
 
-UTF-8 without character references; every namespace is declared as the default where it begins, and only foreign
+`understudy.bml.writing.blocks` and `understudy.bml.writing.smartbody` build the document; here it is written as XML
+that strict realizers accept, or as JSON (docs/bml-json.md has the schema).
+
+XML is UTF-8 without character references; every namespace is declared as the default where it begins, and only foreign
 attributes have prefixes. Elements are on lines of their own, except next to text and outside the dialect, where white
 space might be significant. Characters that XML cannot represent become U+FFFD.
 
-Writes the kept behaviours of a performance as BML, in the requested dialect and time form (docs/references.md).
-
-`understudy.bml.writing.blocks` and `understudy.bml.writing.smartbody` build the document,
-`understudy.bml.writing.writer` writes it as XML, this module as JSON (docs/bml-json.md has the schema): an element
-is an object with the keys `element`, `attributes` and `content`, the last two only if not empty. Numbers are numbers, a
-reference is an object, everything else is text.
+In JSON an element is an object with the keys `element`, `attributes` and `content`, the last two only if not empty.
+Numbers are numbers, a reference is an object, everything else is text.
 """
 
 import json

@@ -1,4 +1,4 @@
-"""Builds gesture definitions from parsed statements (`statements.py`), collecting every mistake.
+"""Builds gesture definitions from parsed statements (`language.py`), collecting every mistake.
 
 Levels of agitation that a file does not define are derived from medium: low is smaller, slower and smoother, high
 larger, faster and sharper. In a frame with OTHER, whatever it leaves open is mirrored from the leading arm.

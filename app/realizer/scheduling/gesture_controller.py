@@ -13,7 +13,7 @@ Bends the strokes of gestures that are asked to be curved (NGS §3.1, §3.4: the
 The arm turns about its shoulder while the stroke lasts, so that the wrist goes beside the straight line, farthest in
 the middle of the stroke, and is where it was at both ends: a stroke's times and places stay. What is bent already is
 bent more; what is straight goes up and outwards, as a hand is lifted over the straight way. A gesture whose definition
-has a curved track (`offset_tracks`) is bent by that alone.
+has a curved track is bent by that alone.
 
 Conventions: metres in the world; times are the plan's.
 """

@@ -1,2 +1,2 @@
-"""From lines to a blind page, in order: `lines`, `modes` or `singletons`, `clips`, `ordering`, `site`; `making` is
-all of it."""
+"""From lines to a blind page: `lines` are read and performed in every condition (`singletons` has NGS's two versions,
+`by_model` those of a motion model), `site` writes clips and page; `making` is all of it."""
