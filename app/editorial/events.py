@@ -1,16 +1,13 @@
 """The events of a performance for editorial tools: the functions of its words and all movements, with times and
-reasons.
+reasons; exported for annotation tools, Praat's TextGrid and ELAN's .eaf, and as a table (CSV), a row each.
 
 Conventions: seconds of the performance, on whose clock the recording starts at its lead-in. Movements have the times at
 which the motion shows them; those it does not show are left out. A function lasts as long as its words.
 
-Exports events for annotation tools, Praat's TextGrid and ELAN's .eaf, and as a table (CSV), one row each; all on the
-clock of the recording.
-
-Tiers: the words, the functions, every channel of movement, and beside each its reasons (`gesture.function`,
-`gesture.rule`, …). Events that overlap are split into several tiers, `face`, `face_2`. The tools have no times before
-the recording, so what begins in a lead-in is cut there; in the table its times are negative. Points that a movement
-does not have are empty in the table.
+Exports are on the clock of the recording. Tiers: the words, the functions, every channel of movement, and beside each
+its reasons (`gesture.function`, `gesture.rule`, …). Events that overlap are split into several tiers, `face`, `face_2`.
+The tools have no times before the recording, so what begins in a lead-in is cut there; in the table its times are
+negative. Points that a movement does not have are empty in the table.
 """
 
 import csv

@@ -1,4 +1,5 @@
-"""What arms can do: how long the strokes of gestures take, and how soon one may follow another (paper §3.8).
+"""What arms can do, how long the strokes of gestures take and how soon one may follow another (paper §3.8); and the
+limits on the motion in one response.
 
 The stage that schedules gestures and the stage that plays them share these limits, so that what is scheduled can be
 played. `GestureTable` has what the scheduler needs of the gesture library; the realizer computes it
@@ -7,7 +8,7 @@ played. `GestureTable` has what the scheduler needs of the gesture library; the 
 Conventions: seconds, metres, metres per second. Wrist positions are offsets from the centre of gesture space, seen from
 the arm's own side, for a gesture of usual size; a gesture's size multiplies them.
 
-Limits on the motion in one response. All but that on bytes are checked before any motion is computed.
+All limits of a response but that on bytes are checked before any motion is computed.
 """
 
 import math

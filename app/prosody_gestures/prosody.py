@@ -9,10 +9,9 @@ of the voiced frames so far, because a live stream has no end yet: the mean adap
 the deviation starts at a typical value and adapts over `DEVIATION_FRAMES`, and both forget frames older than about
 `MEMORY_FRAMES`.
 
-Adds temporal context to a frame's prosody: the recent past and `LOOKAHEAD_S` of the future.
-
-A stroke ends on a stressed syllable, so most of the evidence for it comes after it has begun (the gain from the
-look-ahead is measured in models/prosody_gestures/README.md). Live decoding is delayed by as much.
+To a frame temporal context is added: the recent past and `LOOKAHEAD_S` of the future. A stroke ends on a stressed
+syllable, so most of the evidence for it comes after it has begun (the gain from the look-ahead is measured in
+models/prosody_gestures/README.md). Live decoding is delayed by as much.
 """
 
 from collections import deque

@@ -4,11 +4,10 @@ Each mistake is reported with its place, up to the first few.
 
 A line without a recording (`understudy say`, `POST /perform` without audio) comes as marked text.
 
-Validates communicative functions supplied with a line (`--functions FILE`, the part `functions` of a request).
-
-A JSON list: `[{"class": "deixis", "subtype": "self", "first": 0, "last": 0, "priority": 5}, …]`; `subtype` is omitted
-where the class has none, `priority` for a function that takes precedence over all derived ones. Only the format is
-checked here; `understudy.rules.derivation` checks functions and words against the rules and the transcript.
+Communicative functions supplied with a line (`--functions FILE`, the part `functions` of a request) are a JSON list:
+`[{"class": "deixis", "subtype": "self", "first": 0, "last": 0, "priority": 5}, …]`; `subtype` is omitted where the
+class has none, `priority` is for a function that takes precedence over all derived ones. Only the format is checked
+here; `understudy.rules.derivation` checks functions and words against the rules and the transcript.
 """
 
 import json

@@ -2,8 +2,6 @@
 
 OpenAPI cannot describe WebSockets: for `/live` the document has the request that opens a stream, and the schemas of the
 client's messages.
-
-The requests and responses of the operations for authors, in OpenAPI.
 """
 
 from collections.abc import Mapping

@@ -1,4 +1,5 @@
-"""When the strokes of a gesture are (NGS §3.3, steps 10, 12 and 13), and what gives way where there is no time (11).
+"""When the strokes of a gesture are, and what gives way where there is no time (NGS §3.3, steps 10 to 13); and how
+gestures are joined to units (steps 7, 8, 14 and 15): where hands hold on, and where they rest. Times are seconds.
 
 The main stroke ends with its word, by the speaker's own offset and deviation, and then earlier by the lead; an
 independent hold begins with its word. After-strokes end with the words that follow, at least `SPACING_S` apart, and
@@ -6,16 +7,13 @@ lead by less. The stroke lasts as long as its clip, which is never time-warped. 
 the one before than hands can go, it is moved back by at most `MOVED_S`, else the gesture is given up (`generating`
 moves the one before it forward by half of that; the paper moves back alone, by which gestures came later on average
 than the speaker's); after-strokes that would be in the next gesture's way are not made (the paper makes them and moves
-or gives up the next gesture). Times are seconds.
-
-Gestures joined to units (NGS §3.3, steps 7, 8, 14 and 15): where hands hold on, and where they rest.
+or gives up the next gesture).
 
 Neighbours in one segment whose strokes are nearer than the speaker's `merge_within_s` are one unit (the paper), by the
 share in which the speaker joins another to a unit that has so many gestures (ours: with one share for all sizes 11 % of
 units were of other sizes than the speaker's, so 7.5 %, `python -m benchmarks.profiles`); so are those that leave no
 time for a retraction and a preparation, in whatever segments. Within a unit a gesture is prepared from the end of the
 one before it, which is held until then; a unit ends in one retraction, to the rest that the time to the next unit says.
-Times are seconds.
 """
 
 import random

@@ -1,13 +1,12 @@
-"""The body's volume as capsules around its bones, for collision tests.
+"""Penetration depths of forearms and hands into the body or each other, in every frame: the body's volume is capsules
+around its bones, which are compared with each other.
 
-Conventions: a capsule contains all points within `radius_m` of the segment from `start_m` to `end_m`, in metres in the
-space of its joint. Sided parts are the left's; the right's are their mirror images. Sizes fit the skeleton's adult of
-1.73 m: chest 33 cm wide and 21 cm deep, head 18 cm wide.
+A forearm or hand is compared with the trunk, the head, the upper legs and the other arm's forearm and hand. Depths are
+in metres, positive inside; arrays (T, P) have a column for each of `PAIRS`.
 
-Penetration depths of forearms and hands into the body or each other: capsule against capsule, in every frame.
-
-Conventions: depths in metres, positive inside; arrays (T, P) have a column for each of `PAIRS`. A forearm or hand is
-compared with the trunk, the head, the upper legs and the other arm's forearm and hand (see `build`).
+A capsule contains all points within `radius_m` of the segment from `start_m` to `end_m`, in metres in the space of its
+joint. Sided parts are the left's; the right's are their mirror images. Sizes fit the skeleton's adult of 1.73 m: chest
+33 cm wide and 21 cm deep, head 18 cm wide.
 """
 
 from dataclasses import dataclass, replace

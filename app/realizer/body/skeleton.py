@@ -1,10 +1,9 @@
-"""The skeleton, with VRM 1.0 humanoid joint names in VRM's T-pose, and its forward kinematics.
+"""The skeleton, with VRM 1.0 humanoid joint names in VRM's T-pose, its forward kinematics, and the joints of an arm
+with the independently moving parts that a gesture can define.
 
 Conventions (docs/references.md): metres, Y up, the character faces +Z, its left is +X, feet at Y = 0. In the T-pose the
 axes of all joints are parallel to the world's, so the identity rotation is the T-pose, with palms down and thumbs
 forward. Parents come before their children.
-
-The joints of an arm from collarbone to fingertips, and the independently moving parts that a gesture can define.
 """
 
 from collections.abc import Mapping

@@ -18,11 +18,10 @@ long phones keep their shape; it is smoothed there, so that curves have no corne
 exactly zero, so that each moment depends on few phones. Difference from our paper's §3.8, which concatenates hand-made
 diphone curves: these are not public, and dominance covers every pair of phones.
 
-Splits the visemes of diphthongs in two, so that the mouth glides as in "how" from wide to round.
-
-The schedule has one of fifteen visemes per phone (docs/references.md), which for a diphthong is that of its first
-vowel. Where phones are known too, the last part of a diphthong gets the viseme of the vowel it glides to, with the jaw
-less open and less articulated, since glides usually undershoot.
+The visemes of diphthongs are split in two, so that the mouth glides as in "how" from wide to round. The schedule has
+one of fifteen visemes per phone (docs/references.md), which for a diphthong is that of its first vowel. Where phones
+are known too, the last part of a diphthong gets the viseme of the vowel it glides to, with the jaw less open and less
+articulated, since glides usually undershoot.
 """
 
 from collections.abc import Iterable, Iterator, Mapping

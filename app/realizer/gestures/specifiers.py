@@ -1,11 +1,11 @@
-"""Interprets the statements of a frame (Gesture Engine §4.2): sectors, hand shapes, fingers, wrists, joints.
+"""Interprets the statements of a gesture: those of a frame (Gesture Engine §4.2: sectors, hand shapes, fingers, wrists,
+joints), and the offset tracks of its header (NGS §3.4), which are TRACK lines:
+
+    TRACK held chest 0 12 0             the body turns with the gesture
+    TRACK curved UpperArm 0 -10 0       the stroke's path is an arc
+    TRACK circling LowerArm 0 12 0 2    a progressive: the forearm goes round, twice in a stroke
 
 Each function converts a readable statement into its value, or returns None and appends the mistake to `wrong`.
-
-Offset tracks of a gesture (NGS §3.4): TRACK lines of its header, read and checked.
-
-TRACK held chest 0 12 0 the body turns with the gesture TRACK curved UpperArm 0 -10 0 the stroke's path is an arc TRACK
-circling LowerArm 0 12 0 2 a progressive: the forearm goes round, twice in a stroke
 """
 
 import re

@@ -1,14 +1,12 @@
-"""Converts a schedule's gaze behaviours to targets of eyes, head and trunk over time.
+"""Finds the targets over time of eyes, head and trunk, from a schedule's gaze behaviours, and those of pointing
+gestures.
 
 A `SHIFT` moves the gaze for good, a `LOOK` turns head and eyes to a target and back, a `GLANCE` moves the eyes only and
 is added to the others, as saccades are in the paper (§3.8). A direction is an offset of `amount` × 60° to that side, as
-in our BML. Conventions: radians and metres; directions are pitch and yaw as seen from the eyes' position in the T-pose,
-left and right are the character's own.
+in our BML. Hands point at the same positions, but lower than eyes look at a listener.
 
-Finds the targets of pointing gestures.
-
-Conventions: world positions in metres (`understudy.realizer.body.skeleton`). The listener's position is that of the
-gaze (`understudy.realizer.head_and_gaze.gaze_targets`), but hands point lower than eyes look.
+Conventions: radians, metres in the world (`understudy.realizer.body.skeleton`); directions are pitch and yaw as seen
+from the eyes' position in the T-pose, left and right are the character's own.
 """
 
 from collections.abc import Iterator, Mapping

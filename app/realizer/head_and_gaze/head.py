@@ -1,22 +1,19 @@
-"""Head movements by lexeme: phase-shifted sine waves (paper §3.8), and held tilts and turns.
-
-A nod is a wave that starts and ends at its crest, so that it goes down from the current position and returns to it; a
-shake swings to both sides, its first and last quarter smoothed. Their phase advances such that the extreme nearest to
-`stroke` falls on it. Tilts, turns and the like are reached at `stroke` and held until `relax`. None is cut: what has no
-time to return returns later.
-
-Conventions: degrees in the table, else radians; positive pitch is down, yaw left, roll to the right shoulder; seconds.
-
-The head controller: adds head movements to the gaze's rotations of neck and head (paper §3.8), and what the head does
-by itself.
+"""The head controller: adds head movements to the gaze's rotations of neck and head (paper §3.8), and what the head
+does by itself.
 
 Neck and head each take half of a movement; the neck leads by a phase shift. The eyes keep their direction. Between
 movements head and trunk change their attitude (`understudy.realizer.head_and_gaze.attitudes`). Whatever is asked for,
 and however much of it at once, the head turns no faster than `FASTEST_RAD_S` against the trunk and the eyes no faster
 than `FASTEST_EYE_RAD_S`: it comes later, so nothing ever jumps.
 
-Conventions: radians; positive pitch is down, yaw left, roll to the right shoulder; rotations are quaternions (T, 4), a
-frame each; seconds.
+A movement has a lexeme: nods and shakes are phase-shifted sine waves (paper §3.8), tilts and turns are held. A nod is a
+wave that starts and ends at its crest, so that it goes down from the current position and returns to it; a shake swings
+to both sides, its first and last quarter smoothed. Their phase advances such that the extreme nearest to `stroke` falls
+on it. Tilts, turns and the like are reached at `stroke` and held until `relax`. None is cut: what has no time to return
+returns later.
+
+Conventions: degrees in the table, else radians; positive pitch is down, yaw left, roll to the right shoulder; rotations
+are quaternions (T, 4), a frame each; seconds.
 """
 
 from collections.abc import Iterable, Mapping, Sequence

@@ -4,10 +4,9 @@ Conventions: positions are given as a joint and an offset in metres in the T-pos
 the mirror image. Clothes and skin are meshed separately, so that their borders are clean and bare hands stand out from
 the body.
 
-Folds of clothes: shallow waves where cloth bunches, at elbows, waist and knees, mostly in the shading.
-
-Conventions: metres in the T-pose of the average body; the left's folds are mirrored to the right. A fold displaces the
-surface by a millimetre or two and tilts its normals as a deeper one would, since the mesh is too coarse for its shape.
+Clothes have folds: shallow waves where cloth bunches, at elbows, waist and knees, mostly in the shading, for the
+average body; the left's are mirrored to the right. A fold displaces the surface by a millimetre or two and tilts its
+normals as a deeper one would, since the mesh is too coarse for its shape.
 """
 
 from collections.abc import Mapping

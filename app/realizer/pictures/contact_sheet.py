@@ -1,8 +1,7 @@
 """Draws contact sheets: the mannequin in key poses, from the front and three quarters, with times and words.
 
-Needs matplotlib, the extra `understudy[plot]`; command line and HTTP API check for it.
-
-Draws characters as they stand, side by side and to one scale. Needs matplotlib, the extra `understudy[plot]`.
+Characters are drawn as they stand, side by side and to one scale. Needs matplotlib, the extra `understudy[plot]`;
+command line and HTTP API check for it.
 """
 
 from __future__ import annotations

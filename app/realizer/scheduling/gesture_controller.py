@@ -1,19 +1,17 @@
-"""Adds the offset tracks of a plan's gestures to the motion (NGS §3.4): body rotation, curved strokes, progressives.
-
-A track's rotation is applied in the joint's own space after what the key poses make of it, times the gesture's size.
-Tracks of several gestures that meet are summed. Joints of the trunk turn as for the side of the leading arm, once for
-both arms; what goes beyond a joint's limits is brought back by the last pass.
-
-The gesture controller (paper §3.8, the second): overrides arms and hands with a plan's gestures; the trunk follows.
+"""The gesture controller (paper §3.8, the second): overrides arms and hands with a plan's gestures; the trunk follows.
 
 Only the breathing of the collarbones is kept from the idle arms.
 
-Bends the strokes of gestures that are asked to be curved (NGS §3.1, §3.4: the trajectory of a phrase).
+Offset tracks are added to the motion (NGS §3.4): body rotation, curved strokes, progressives. A track's rotation is
+applied in the joint's own space after what the key poses make of it, times the gesture's size. Tracks of several
+gestures that meet are summed. Joints of the trunk turn as for the side of the leading arm, once for both arms; what
+goes beyond a joint's limits is brought back by the last pass.
 
-The arm turns about its shoulder while the stroke lasts, so that the wrist goes beside the straight line, farthest in
-the middle of the stroke, and is where it was at both ends: a stroke's times and places stay. What is bent already is
-bent more; what is straight goes up and outwards, as a hand is lifted over the straight way. A gesture whose definition
-has a curved track is bent by that alone.
+Strokes of gestures that are asked to be curved are bent (NGS §3.1, §3.4: the trajectory of a phrase). The arm turns
+about its shoulder while the stroke lasts, so that the wrist goes beside the straight line, farthest in the middle of
+the stroke, and is where it was at both ends: a stroke's times and places stay. What is bent already is bent more; what
+is straight goes up and outwards, as a hand is lifted over the straight way. A gesture whose definition has a curved
+track is bent by that alone.
 
 Conventions: metres in the world; times are the plan's.
 """

@@ -1,22 +1,19 @@
-"""A performance as the page plays it: the motion as a clip, the recording as FLAC, and a body of each character.
-
-A clip must not reveal its condition, so names, reasons and decisions are stripped from the motion, and tags from the
-recording.
-
-Writes the page as a folder of static files that any browser opens, from a disk or a web server, without this service.
+"""Writes the page as a folder of static files that any browser opens, from a disk or a web server, without this
+service.
 
 `index.html` has the page's modules, style and plan in itself. Motion and bodies are loaded when they are needed: from a
 disk browsers load only what is a script, so each is a script that hands over its content by an event.
 
-Inlines ES modules into one page, because browsers do not load modules from files (`file://`).
+The page's ES modules are inlined, because browsers do not load modules from files (`file://`): every module that the
+first one needs becomes a `data:` address in the page's import map, and what it imports is named by the module's path,
+so that modules stay modules. Names of packages are those of the studio's own import map.
 
-Every module that the first one needs becomes a `data:` address in the page's import map, and what it imports is named
-by the module's path, so that modules stay modules. Names of packages are those of the studio's own import map.
+A performance is shown as a clip, with the recording as FLAC and a body of each character. A clip must not reveal its
+condition, so names, reasons and decisions are stripped from the motion, and tags from the recording.
 
-The order of lines and clips for each rater: balanced Latin squares.
-
-In a Williams square each item occurs once a row, equally often in each position, and equally often right after each
-other item. Raters take the rows in turn, so that orders are balanced after every whole square.
+Each rater has an order of lines and clips, from balanced Latin squares. In a Williams square each item occurs once a
+row, equally often in each position, and equally often right after each other item. Raters take the rows in turn, so
+that orders are balanced after every whole square.
 """
 
 import base64
