@@ -9,9 +9,9 @@ from fastapi import FastAPI
 
 from understudy.api.description.document import describe
 from understudy.api.routes import router
+from understudy.files import resource_folder
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.exporting.retargeting import load_rigs
-from understudy.files import resource_folder
 
 
 def facts() -> dict[str, object]:
