@@ -46,7 +46,6 @@ __all__ = [
     "read_motion_model",
     "read_pairs",
     "realize_by_model",
-    "realize_drawn",
     "realize_moving",
     "realize_played",
     "scenario_named",
@@ -240,35 +239,20 @@ def realize_played(
     model: MotionModel,
     analysis: Analysis,
     *,
+    drawn_by: int | None = None,
     frame_rate_hz: int = 60,
     tail_s: float = 0.0,
 ) -> RealizedSchedule:
-    """The same as `understudy live --model` plays it, while the recording goes on."""
+    """The same as `understudy live --model` plays it, while the recording goes on; or, with a seed in `drawn_by`, by
+    units that are drawn whatever is said (RTS §3.2)."""
     assert analysis.heard is not None, "a recording is heard"
     contours = analysis.heard.contours
 
     def moved(motion: Motion, skeleton: Skeleton) -> Motion:
-        return played(model, motion, contours, skeleton)
-
-    return _realized(realizer, prepared, model, moved, frame_rate_hz=frame_rate_hz, tail_s=tail_s)
-
-
-def realize_drawn(
-    realizer: Realizer,
-    prepared: PreparedSchedule,
-    model: MotionModel,
-    analysis: Analysis,
-    *,
-    seed: int,
-    frame_rate_hz: int = 60,
-    tail_s: float = 0.0,
-) -> RealizedSchedule:
-    """The same by units that are drawn whatever is said (RTS §3.2)."""
-    assert analysis.heard is not None, "a recording is heard"
-    frames = round(len(analysis.heard.contours.energy_db) * FRAME_SHIFT_S / FRAME_S)
-
-    def moved(motion: Motion, skeleton: Skeleton) -> Motion:
-        return laid_over(motion, move_at_random(model, frames, seed), skeleton)
+        if drawn_by is None:
+            return played(model, motion, contours, skeleton)
+        frames = round(len(contours.energy_db) * FRAME_SHIFT_S / FRAME_S)
+        return laid_over(motion, move_at_random(model, frames, drawn_by), skeleton)
 
     return _realized(realizer, prepared, model, moved, frame_rate_hz=frame_rate_hz, tail_s=tail_s)
 

@@ -12,6 +12,8 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Literal
 
+from pydantic import Field
+
 from ...errors import AuthoringError, InputError, all_loaded, shown
 from ...yaml_files import Entry, Source
 from ..body.skeleton import SIDES, Skeleton
@@ -39,16 +41,18 @@ class Sides(Entry):
 
 
 class RigFile(Entry):
-    """The file format. In `sided`, {side} stands for the rig's word for left or right, {SIDE} for the same in
-    capitals."""
+    """The file format. The names are the file's own, or those of the rig `like`, each after `prefix`. In `sided`,
+    {side} stands for the rig's word for left or right, {SIDE} for the same in capitals."""
 
     unit_m: float
     up: Literal["Y", "Z"]
     forward: Axis
     rest: Literal["T-pose", "A-pose", "I-pose"]
-    sides: Sides
-    middle: dict[str, str]
-    sided: dict[str, str]
+    like: str | None = None
+    prefix: str = ""
+    sides: Sides | None = None
+    middle: dict[str, str] = Field(default_factory=dict)
+    sided: dict[str, str] = Field(default_factory=dict)
 
 
 def load_rigs(folder: Path, skeleton: Skeleton) -> Mapping[str, Rig]:
@@ -69,18 +73,31 @@ def find_rig(rigs: Mapping[str, Rig], name: str) -> Rig:
 def _loaded(path: Path, skeleton: Skeleton) -> Rig:
     source = Source(path)
     written = source.validated(RigFile)
-    names = dict(_names(written))
+    names = dict(_names_like(source, written, path.parent) if written.like else _names(source, written))
     _refuse_wrong_joints(source, names, skeleton)
     in_order = MappingProxyType({joint: names[joint] for joint in skeleton.names})
     return Rig(path.stem, in_order, written.unit_m, written.up, written.forward, written.rest)
 
 
-def _names(written: RigFile) -> Iterator[tuple[str, str]]:
+def _names(source: Source, written: RigFile) -> Iterator[tuple[str, str]]:
+    if written.sides is None:
+        raise AuthoringError((source.mistake((), "no `sides`: the rig's words for left and right"),))
     yield from written.middle.items()
     for side in SIDES:
         word = str(getattr(written.sides, side))
         for part, name in written.sided.items():
             yield side + part, name.replace("{side}", word).replace("{SIDE}", word.upper())
+
+
+def _names_like(source: Source, written: RigFile, folder: Path) -> Iterator[tuple[str, str]]:
+    if written.middle or written.sided:
+        raise AuthoringError((source.mistake(("like",), "the names are those of another rig: give none here"),))
+    path = folder / f"{written.like}.yaml"
+    if not path.is_file():
+        raise AuthoringError((source.mistake(("like",), f"no rig {written.like} beside this file"),))
+    other = Source(path)
+    for joint, name in _names(other, other.validated(RigFile)):
+        yield joint, written.prefix + name
 
 
 def _refuse_wrong_joints(source: Source, names: Mapping[str, str], skeleton: Skeleton) -> None:

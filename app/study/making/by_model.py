@@ -12,7 +12,6 @@ from ...library.motion import PreparedSchedule, RealizedSchedule
 from ...library.motion_models import (
     MotionModel,
     moving_by,
-    realize_drawn,
     realize_moving,
     realize_played,
     scenario_named,
@@ -38,8 +37,8 @@ def in_ways(models: Understudy, model: MotionModel, line: StudyLine, seed: int) 
     return {
         OFFLINE: realize_moving(realizer, prepared, moving, frame_rate_hz=FRAME_RATE_HZ, tail_s=TAIL_S),
         LIVE: realize_played(realizer, prepared, model, analysis, frame_rate_hz=FRAME_RATE_HZ, tail_s=TAIL_S),
-        RANDOM: realize_drawn(
-            realizer, prepared, model, analysis, seed=seed, frame_rate_hz=FRAME_RATE_HZ, tail_s=TAIL_S
+        RANDOM: realize_played(
+            realizer, prepared, model, analysis, drawn_by=seed, frame_rate_hz=FRAME_RATE_HZ, tail_s=TAIL_S
         ),
     }
 

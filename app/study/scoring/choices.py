@@ -18,7 +18,6 @@ from types import MappingProxyType
 
 from scipy import stats
 
-from ...errors import InputError
 from ..comparison import DIMENSIONS, NATURAL, UNITS
 from .reading import Understanding, Verdict, by_rater
 from .samples import (
@@ -31,6 +30,7 @@ from .samples import (
     group_differences,
     normality,
     one_sample_t,
+    too_few,
     two_factors,
 )
 
@@ -89,8 +89,7 @@ def choice_statistics(
     two raters."""
     raters = by_rater(verdicts)
     if len(raters) < FEWEST:
-        message = f"{len(raters)} raters answered; {FEWEST} at least are needed"
-        raise InputError("too_few_answers", message, field="answers")
+        raise too_few(f"{len(raters)} raters answered")
     own = {name: [each for each in verdicts if each.dimension == name] for name in DIMENSIONS}
     levels = [each.level for each in understood]
     return ChoiceStatistics(

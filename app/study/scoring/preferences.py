@@ -13,7 +13,6 @@ from types import MappingProxyType
 
 from scipy import stats
 
-from ...errors import InputError
 from ..comparison import CONDITIONS, Comparison
 from .reading import Preferred, by_rater
 from .samples import (
@@ -25,6 +24,7 @@ from .samples import (
     group_differences,
     normality,
     one_sample_t,
+    too_few,
 )
 
 
@@ -61,8 +61,7 @@ def preference_statistics(
     two raters."""
     raters = by_rater(preferred)
     if len(raters) < FEWEST:
-        message = f"{len(raters)} raters answered; {FEWEST} at least are needed"
-        raise InputError("too_few_answers", message, field="answers")
+        raise too_few(f"{len(raters)} raters answered")
     turned = [_turned(each, CONDITIONS[comparison]) for each in preferred]
     names = [*combinations(CONDITIONS[comparison], 2), *((name, name) for name in CONDITIONS[comparison])]
     own = {pair: [each for each in turned if (each.first, each.second) == pair] for pair in names}

@@ -17,12 +17,10 @@ from types import MappingProxyType
 
 from scipy import stats
 
-from ...errors import InputError
 from ..comparison import CONDITIONS, Comparison, RaterChoice
 from .reading import Rating, by_rater
-from .samples import GroupDifference, Normality, by_group, group_differences, normality
+from .samples import FEWEST, GroupDifference, Normality, by_group, group_differences, normality, too_few
 
-FEWEST_RATERS = 2
 CONFIDENCE = 0.95
 
 Groups = Mapping[str, Sequence[float]]
@@ -105,9 +103,8 @@ def rating_statistics(ratings: Sequence[Rating], groups: Mapping[str, str] = Map
     trials = {name: trial for name, trial in every.items() if len(trial) == len(conditions)}
     whole = [each for trial in trials.values() for each in trial]
     raters = by_rater(whole)
-    if len(raters) < FEWEST_RATERS:
-        message = f"{len(raters)} raters rated every clip of a line; {FEWEST_RATERS} at least are needed"
-        raise InputError("too_few_answers", message, field="answers")
+    if len(raters) < FEWEST:
+        raise too_few(f"{len(raters)} raters rated every clip of a line")
     means = {condition: [_mean(own, condition) for own in raters.values()] for condition in conditions}
     highest = [max(each.grade for each in own) for own in raters.values()]
     shares = {name: [mean / most for mean, most in zip(own, highest, strict=True)] for name, own in means.items()}

@@ -14,7 +14,6 @@ from types import MappingProxyType
 
 from scipy import stats
 
-from ...errors import InputError
 from .reading import Named, by_rater
 from .samples import (
     FEWEST,
@@ -25,6 +24,7 @@ from .samples import (
     group_differences,
     normality,
     one_sample_t,
+    too_few,
 )
 
 ALONE, BESIDE = 1, 2
@@ -64,8 +64,7 @@ def recognition_statistics(
     raters = by_rater(named)
     speakers = tuple(sorted({each.speaker for each in named} | {each.answer for each in named}))
     if len(raters) < FEWEST or len(speakers) < FEWEST:
-        message = f"{len(raters)} raters answered about {len(speakers)} speakers; {FEWEST} at least of both are needed"
-        raise InputError("too_few_answers", message, field="answers")
+        raise too_few(f"{len(raters)} raters answered about {len(speakers)} speakers")
     own = {test: [each for each in named if each.beside is (test == BESIDE)] for test in (ALONE, BESIDE)}
     return RecognitionStatistics(
         raters=len(raters),

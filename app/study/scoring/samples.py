@@ -11,6 +11,7 @@ from statistics import pstdev
 import numpy as np
 from scipy import stats
 
+from ...errors import InputError
 from ...model import FloatArray
 from ..comparison import Comparison
 
@@ -18,6 +19,11 @@ FEWEST = 2
 FEWEST_TO_FIT = 4
 DRAWS = 1999
 """Samples of a normal distribution that p of normality is counted in."""
+
+
+def too_few(told: str) -> InputError:
+    """The error for answers of fewer raters than statistics need; `told` says how many there are."""
+    return InputError("too_few_answers", f"{told}; {FEWEST} at least are needed", field="answers")
 
 
 @dataclass(frozen=True, slots=True)

@@ -67,3 +67,18 @@ def test_an_unknown_skeleton_is_refused_with_those_there_are() -> None:
     with pytest.raises(InputError, match="mixamo, mixamorig") as caught:
         find_rig(RIGS, "biped")
     assert caught.value.code == "unknown_skeleton"
+
+
+@pytest.mark.parametrize(
+    ("more", "told"),
+    [
+        ("like: mixamoo\n", "no rig mixamoo beside this file"),
+        ("like: mixamo\nmiddle: {neck: Neck}\n", "give none here"),
+    ],
+)
+def test_a_rig_like_another_has_its_names_alone(tmp_path: Path, more: str, told: str) -> None:
+    (tmp_path / "mixamo.yaml").write_text((FOLDER / "mixamo.yaml").read_text())
+    (tmp_path / "mine.yaml").write_text("unit_m: 1\nup: Y\nforward: +Z\nrest: T-pose\n" + more)
+    with pytest.raises(AuthoringError, match=told) as caught:
+        load_rigs(tmp_path, BODY)
+    assert [mistake.line for mistake in caught.value.mistakes] == [5]
