@@ -1,7 +1,8 @@
-"""What is compared, and what raters are asked: the main paper's modes (§5), NGS's units and singletons (§4.1) and its
-speakers (§3.5), RTS's ways from a voice to motion (§3.2), and the feeling in it, of which AHG announced a test (§5).
+"""The comparisons of the papers' studies, and the questions that raters answer.
 
-The key of a study tells what each clip shows. It stays with the experimenter; raters must not see it.
+The main paper compares modes (§5), NGS units with singletons (§4.1) and speakers with each other (§3.5), RTS ways to
+drive motion by a voice (§3.2); AHG announces a test of the affect in the voice (§5). The key of a study says what each
+clip shows; it stays with the experimenter, hidden from raters.
 """
 
 from collections.abc import Mapping
@@ -26,7 +27,7 @@ class Comparison(StrEnum):
 
 
 OFFLINE, LIVE, RANDOM = "offline", "live", "random"
-"""Motion by a model for the whole recording, while it is heard, and units drawn at random (RTS §3.2)."""
+"""A motion model's motion for a complete recording, for a live one, and with units drawn at random (RTS §3.2)."""
 
 BOTH, PROSODY, AFFECT = "both", "prosody", "affect"
 """What drives the motion (AHG §3: S1, S3, S5)."""
@@ -43,7 +44,7 @@ CONDITIONS: Mapping[Comparison, tuple[str, ...]] = MappingProxyType(
 """The clips of a line, in the order of the papers' tables; speakers have the names of their profiles."""
 
 PAIRED = frozenset({Comparison.WAYS, Comparison.AFFECT})
-"""Those in which raters prefer one of two clips, or none, and by how much."""
+"""Comparisons in which raters say which of two clips they prefer, if any, and by how much."""
 
 MUCH = 2
 """Much better on the scale of preferences: from -2, the first much better, to 2, the second (RTS §3.2)."""
@@ -54,7 +55,7 @@ LOWEST, HIGHEST = 1, 10
 NATURAL = "natural"
 
 DIMENSIONS = (NATURAL, "friendly", "nervous", "extroverted", "competent", "trustworthy")
-"""In which of two clips the character is more of it (NGS §4.1)."""
+"""Dimensions by which raters compare the character of two clips (NGS §4.1)."""
 
 UNDECIDED = "undecided"
 

@@ -1,4 +1,4 @@
-"""Phrases that answer one another: "ask not what your country can do for you, ask what you can do for your country".
+"""Parallel phrases: "ask not what your country can do for you, ask what you can do for your country".
 
 Two neighbouring phrases with most of their words in common are one idea in two parts. Where both name the same two
 things in the other order, each thing has a side, and all four mentions are placed; where they differ in one place, what
@@ -46,7 +46,7 @@ class _Phrase:
         return frozenset(token.lemma.lower() for token in self.tokens if token.part_of_speech != "PUNCT")
 
     def things(self) -> dict[str, int]:
-        """The word on which each thing is named last, by its lemma; not whose it is, and not what is asked for."""
+        """The last mention of each thing, by its lemma. Possessors and question words are left out."""
         return {
             token.lemma.lower(): token.word
             for token in self.tokens
@@ -67,8 +67,8 @@ class PlacedStroke:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ground:
-    """Where strokes can fall: the `times_s` of the words, the most that any gesture would gain on each (W,), and the
-    words that are to be `still`."""
+    """Where strokes can fall: the `times_s` of the words, the highest gain of any gesture on each (W,), and the words
+    that must stay `still`."""
 
     times_s: Sequence[float]
     gain: SingleArray
@@ -80,8 +80,8 @@ class Ground:
 
 
 def parallel_strokes(utterance: Utterance, ground: Ground, contrast: SingleArray) -> Iterator[PlacedStroke]:
-    """The strokes of parallel phrases, each side where it belongs; none that would be too close in time. `contrast`
-    (W,) is the worth of a contrast on each word."""
+    """The strokes of parallel phrases, each on its side, without those that would be too close in time. `contrast` (W,)
+    is the worth of a contrast on each word."""
     taken: list[int] = []
     for one, other in pairwise(_phrases(utterance.parse, [word.text for word in utterance.words])):
         shared = one.lemmas & other.lemmas
@@ -102,7 +102,7 @@ def _phrases(parse: Parse, texts: Sequence[str]) -> Iterator[_Phrase]:
 
 
 def _crossed(one: _Phrase, other: _Phrase) -> Iterator[PlacedStroke]:
-    """Two things that both name, in the other order: four places."""
+    """Two things that both phrases name, in opposite order: four places."""
     before, after = one.things(), other.things()
     both = sorted((lemma for lemma in before if lemma in after), key=lambda lemma: before[lemma])
     for left, right in pairwise(both):
@@ -115,7 +115,7 @@ def _crossed(one: _Phrase, other: _Phrase) -> Iterator[PlacedStroke]:
 
 
 def _differing(one: _Phrase, other: _Phrase, contrast: SingleArray) -> Iterator[PlacedStroke]:
-    """What the first has in the place of what the second has, if either is read as one side of a contrast."""
+    """The words in which the two phrases differ, if either is read as one side of a contrast."""
     left, right = _own(one, other), _own(other, one)
     if left is None or right is None:
         return
@@ -125,7 +125,7 @@ def _differing(one: _Phrase, other: _Phrase, contrast: SingleArray) -> Iterator[
 
 
 def _own(phrase: _Phrase, other: _Phrase) -> int | None:
-    """The last word with content that the other phrase does not have."""
+    """The last content word that the other phrase lacks."""
     own = [
         token.word
         for token in phrase.tokens
@@ -141,7 +141,7 @@ LOCUS, LEFT, RIGHT = "locus", "left", "right"
 CONTRAST = "contrast_sides"
 
 LEAST_WORTH = 0.17
-"""The least worth of a contrast at one of the sides with which both are shown."""
+"""Both sides are shown if a contrast is worth at least this on one of them."""
 
 
 def placed_strokes(functions: Iterable[Function], worth: SingleArray, ground: Ground) -> Iterator[PlacedStroke]:

@@ -1,1 +1,3 @@
-"""How arms and hands get from pose to pose: strokes that snap, beats of hands at rest, what drags."""
+"""The dynamics of arms and hands between poses: fast strokes, follow-through of hands and fingers, small beats at rest,
+and the pace of the whole motion.
+"""

@@ -1,6 +1,6 @@
-"""Hands that drag behind their wrists, and fingers behind the hand, one after another; and fingers that never stand.
+"""Follow-through: hands lag behind their wrists, fingers lag behind the hand one after another, and never stand still.
 
-A hand is no rigid end of the forearm: when the wrist sets off it stays behind, when the wrist stops it swings on, and
+A hand is not rigidly fixed to the forearm: when the wrist starts it lags, when the wrist stops it swings on, and
 the fingers do the same a little later, from the index to the little finger. Both follow the speed of the wrist across
 the hand a moment ago, so that a hand that is held is as its gesture has it. Besides, fingers curl and stretch a little
 all the time, each by itself.
@@ -29,21 +29,21 @@ _POINTING, _RELAXED = 0.7, 0.6
 _SOFT_RAD, _MOST_CURL_RAD = float(np.radians(3.0)), float(np.radians(16.0))
 
 _ASIDE = 0.4
-"""How much less a hand gives way to the side of thumb or little finger than towards palm and back."""
+"""How much less a hand lags sideways, towards thumb or little finger, than towards palm and back."""
 _LIFE_HZ = 0.75
 
 _AT_EASE = 0.6
-"""How much fingers are curled on the whole, as a share of how far they curl and stretch about that."""
+"""The mean curl of the fingers at rest, as a share of the amplitude of their movement about it."""
 
 _JOINTS: FloatArray = np.array([1.0, 1.0, 0.7])
-"""How much the three joints of a finger have of its curl."""
+"""The shares of a finger's three joints in its curl."""
 
 
 def drag(
     arms: Sequence[FloatArray], wrists_m: FloatArray, times_s: FloatArray, style: Dragging, *, seed: int, life: float
 ) -> None:
-    """Turn hands and fingers of the left and the right arm (T, 19, 4), in place, by the ways of their wrists (2, T, 3),
-    seen from their own side; `life` (0 to 1) scales the curling of fingers at rest."""
+    """Turn hands and fingers of the left and the right arm (T, 19, 4), in place, by the paths of their wrists (2, T,
+    3), seen from their own side; `life` (0 to 1) scales the curling of fingers at rest."""
     if len(times_s) < 2 or not (style.hand_deg or style.fingers_deg or style.life_deg):
         return
     step_s = float(times_s[1] - times_s[0])
@@ -77,13 +77,13 @@ def _delayed(values: FloatArray, frames: float) -> FloatArray:
 
 
 def _at_most(angles: FloatArray) -> FloatArray:
-    """Angles that approach the most that joints give way, however fast a wrist is."""
+    """Lags, limited smoothly to `_MOST_RAD` however fast the wrist is."""
     return np.asarray(_MOST_RAD * np.tanh(angles / _MOST_RAD))
 
 
 def _within(curled: FloatArray, arm: FloatArray) -> FloatArray:
-    """Curls (T, 4) that fingers have room for: none stretches further, a closed one hardly curls more, and one that is
-    straight beside closed ones, as it points or counts, stays nearly so."""
+    """Curls (T, 4) limited to what the pose allows: a stretched finger stretches no further, a closed one hardly curls
+    more, and one that is straight beside closed ones, because it points or counts, stays nearly straight."""
     closed = np.clip(2 * np.abs(arm[:, _MIDDLE_JOINTS, 2]) / _CLOSED, 0.0, 1.0)
     beside = np.clip((closed.max(axis=1, keepdims=True) - _RELAXED) / (1 - _RELAXED), 0.0, 1.0)
     free = (1 - closed) * (1 - _POINTING * beside)

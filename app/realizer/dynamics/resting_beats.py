@@ -1,7 +1,7 @@
-"""Small beats of hands that rest before the belly while the voice goes on: on its stressed words, and between them.
+"""Small beats of hands at rest before the belly, during speech: on stressed words, and between them.
 
-Speakers' hands do not stand still between two gestures while they go on talking. How many beats there are, and how high
-the hand is lifted, is by the level of agitation; the hand that does not lead lifts less and later.
+Speakers' hands do not stay still between gestures while they talk. The level of agitation determines how many beats
+there are and how high the hand is lifted; the hand that does not lead is lifted less, and later.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -15,15 +15,15 @@ from ..body.movement_style import Lap
 from ..gestures.gesture_plan import ArmRest, Repeat
 
 SPACING_S = 0.5
-"""The least time between the ends of two beats."""
+"""The shortest time between the ends of two beats."""
 _LIFT_S = 0.42
 """How long a beat takes, up and down."""
 _SETTLED_S = 0.15
-"""Before and after a rest's ends no beat is made."""
+"""There are no beats so soon after a rest begins, nor so shortly before it ends."""
 _OTHER_SHARE, _OTHER_LAG_S = 0.6, 0.05
 _STEPS_S = (0.45, 0.75)
 _UNSTRESSED = 0.65
-"""How high a beat is that is on no stressed word."""
+"""The height of a beat on no stressed word, relative to one on a stressed word."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,8 +37,8 @@ class Habits:
 def with_beats(
     rest: ArmRest, emphases_s: Iterable[float], phrases: Sequence[Interval], lap: Lap, habits: Habits
 ) -> ArmRest:
-    """The rest with beats on emphases in it, and smaller ones where nothing is stressed for long in a phrase; which
-    ones and how high depends on the seed and the time alone."""
+    """The rest with beats on its emphases, and smaller ones where a phrase has no emphasis for long. Which ones, and
+    how high, depends on the seed and the time alone."""
     ready_at = resting(rest.pose, rest.side).ready_at
     if ready_at is None or not any(lap.lift_m):
         return rest

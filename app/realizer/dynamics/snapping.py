@@ -1,7 +1,7 @@
-"""Strokes that snap: the same way in less time, around the same emphasis, so that the accent is the fastest move.
+"""Shortens strokes: the same path in less time, around the same emphasis, so that the accent is the fastest movement.
 
-People's strokes are about as fast as their ways to rest, 1.1 to 1.4 m/s at their peak, and no two are of one length;
-clips alone have a few lengths. A stroke is quickened until its mean speed is what the level of agitation and chance ask
+People's strokes peak at 1.1 to 1.4 m/s, about as fast as their retractions, and no two last equally long; clips alone
+have only a few durations. A stroke is quickened until its mean speed is what the level of agitation and chance ask
 for, never slowed; what is slow by its meaning stays slow. Its emphasis stays at its time, preparation and hold have the
 time that is left. The speed for which gestures are planned stays that of the clip, so that ways between gestures are no
 faster.
@@ -28,7 +28,7 @@ _WOUND_UP_M_S = 1.1
 _USUAL_POWER = 0.5
 """A stroke that is quick stops abruptly by itself; more power would make its middle faster still."""
 _SLOWEST = 2.0
-"""How many times as long as it is a stroke may be made."""
+"""The largest factor by which a stroke may be slowed."""
 _LEAST_SIZE = 0.5
 """Gestures that are asked to be smaller than this stay as small."""
 _SHORTEST_M = 0.05
@@ -46,8 +46,8 @@ _LEVELS = (Level.LOW, Level.MEDIUM, Level.HIGH)
 
 
 def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -> PlacedGesture:
-    """The gesture with a stroke as fast as is drawn for it, or as long as it is asked to be; unchanged where it is as
-    fast already."""
+    """The gesture with its stroke at the speed drawn for it, or of the duration asked for; unchanged if it is that fast
+    already."""
     clip = placed.clip
     level = _LEVELS.index(clip.level)
     if placed.request.asked.stroke_s is not None:
@@ -65,14 +65,14 @@ def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -
 
 
 def _lasting(placed: PlacedGesture, length_s: float, most_m_s: float) -> PlacedGesture:
-    """The gesture with a stroke of this length, within what a hand can do and still strikes."""
+    """The gesture with a stroke of this duration, limited to speeds at which a hand can move and still seems to strike."""
     stroke_s = placed.clip.markers.stroke_end - placed.clip.markers.stroke_start
     fastest = max(_stroke_m(placed)[1] / most_m_s, min(1.0, _LEAST_S / stroke_s))
     return replace(placed, clip=quickened(placed.clip, min(max(length_s / stroke_s, fastest), _SLOWEST)))
 
 
 def _circles(clip: Clip) -> bool:
-    """Whether the arm goes round besides, within the time of the stroke."""
+    """Whether the arm also circles during the stroke."""
     return any(track.form is TrackForm.CIRCLING for track in clip.tracks)
 
 
@@ -83,15 +83,15 @@ def _is_close(placed: PlacedGesture) -> bool:
 
 
 def _quickness(placed: PlacedGesture) -> float:
-    """How much faster than usual the voice has a stroke: by its tension, and as much as it is made bigger and faster
-    already, so that what snaps is the usual stroke and the voice is still seen in it."""
+    """The factor by which the voice makes a stroke faster than usual: by its tension, and by the amplitude and speed
+    that the gesture has from it already, so that differences between voices remain visible after quickening."""
     manner = placed.request.manner
     return float(np.sqrt(max(manner.tension, _LEAST_TENSION))) * manner.amplitude * manner.speed
 
 
 def _stroke_m(placed: PlacedGesture) -> tuple[float, float]:
-    """The longest way of a hand in the stroke, along straight lines between its keys, and its fastest speed from key to
-    key."""
+    """The longest path of a hand in the stroke, along straight lines between its keys, and its highest speed between
+    two keys."""
     markers = placed.clip.markers
     inner_s = {key.time_s for key in placed.clip.keys if markers.stroke_start < key.time_s < markers.stroke_end}
     times_s = [markers.stroke_start, *sorted(inner_s), markers.stroke_end]
@@ -105,8 +105,7 @@ def _stroke_m(placed: PlacedGesture) -> tuple[float, float]:
 
 
 def lifted(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
-    """The gesture a little higher or lower, as its level of agitation has it, if it is neither at the head nor shows a
-    place of its own."""
+    """The gesture raised or lowered a little by its level of agitation, unless it is at the head or shows a place."""
     clip, up_m = placed.clip, strokes.lift_m[_LEVELS.index(placed.clip.level)]
     ends_m = [stroke_end_m(placed, side) for side in placed.arms]
     if not up_m or placed.request.slots or clip.aimed or max(float(end_m[1]) for end_m in ends_m) > _HIGHEST_M:
@@ -123,8 +122,8 @@ def _raised(arm: ArmKey | None, up_m: float) -> ArmKey | None:
 
 
 def wound_up(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
-    """The gesture whose short strokes begin farther from where they end, if it shows no place and is not at the head:
-    a hand draws back before it strikes, the farther the bigger the voice has the gesture."""
+    """The gesture with short strokes begun farther from their ends, unless it shows a place or is at the head: a hand
+    draws back before it strikes, the farther the bigger the voice makes the gesture."""
     clip = placed.clip
     ends_m = {side: stroke_end_m(placed, side) for side in placed.arms}
     free = not (placed.request.slots or clip.aimed) and max(end_m[1] for end_m in ends_m.values()) <= _HIGHEST_M
@@ -172,7 +171,7 @@ def _drawn_back(
 
 
 def quickened(clip: Clip, share: float) -> Clip:
-    """The clip with that share of its stroke's time; what comes before and after lasts as long as before."""
+    """The clip with its stroke shortened to that share; the phases before and after keep their durations."""
     markers = clip.markers
     times_s = (in_less_time(markers, getattr(markers, name), share) for name in Markers.__slots__)
     keys = tuple(replace(key, time_s=in_less_time(markers, key.time_s, share)) for key in clip.keys)

@@ -41,7 +41,7 @@ Degrees = tuple[float, float, float]
 """Pitch, yaw and roll of the left side; yaw and roll change sign on the right."""
 
 UNEVEN_WEIGHT = 0.4
-"""Nobody puts equal weight on both legs; which leg bears more is random and changes slowly."""
+"""People rarely stand with equal weight on both legs; which leg bears more is random and changes slowly."""
 
 _HIPS_OVER_LEG_M = 0.05
 """The lateral shift of the hips when one leg bears all the weight, and how much higher its hip is."""
@@ -49,13 +49,13 @@ _PELVIS_DEGREES = 4.0
 
 
 def lean(level: Level) -> float:
-    """The lean of the trunk in radians, for which the hips go the other way."""
+    """The lean of the trunk in radians; the hips move the opposite way."""
     return float(np.radians(BEARINGS[level].lean_deg))
 
 
 @cache
 def bow(level: Level) -> FloatArray:
-    """The pitch of the joints from the hips up (4,), beside the lean. Never mutated."""
+    """The pitch of the joints from the hips up (4,), without the lean. Never mutated."""
     return np.asarray(np.radians(BEARINGS[level].bow_deg) * np.array(list(_BOW.values())))
 
 
@@ -90,7 +90,7 @@ _SLUMP: Mapping[str, float] = MappingProxyType({"hips": 0.0, "spine": 0.0, "ches
 """The joints' shares of a rounded upper back."""
 
 _RIBS: Mapping[str, float] = MappingProxyType({"spine": 0.45, "chest": 0.35, "upperChest": 0.2})
-"""The joints' shares of what the ribs do against the pelvis."""
+"""The joints' shares of the rotation of the ribs against the pelvis."""
 
 _STIRRING_HZ = 0.6
 
@@ -111,7 +111,7 @@ _STIRRED: Mapping[str, Degrees] = MappingProxyType(
 """Noise of the arm joints, about the axes in which they can rotate: the forearm twists."""
 
 _ON_THE_RIGHT: FloatArray = np.array([1.0, -1.0, -1.0])
-"""The signs of pitch, yaw and roll there."""
+"""The signs of pitch, yaw and roll on the right side."""
 
 
 def idle_motion(
@@ -123,9 +123,9 @@ def idle_motion(
     life: IdleLife = PLAIN.idle,
     with_legs: bool = True,
 ) -> BodyMotion:
-    """The idle motion at `times_s` (T,), with the schedule's postures, and breaths in its speech pauses. The feet stay
-    in place, unless legs are left straight (not `with_legs`) for a later controller that moves the hips and solves them
-    again. Deterministic for a seed."""
+    """The idle motion at `times_s` (T,), with the postures of the schedule and breaths in its pauses. The feet stay in
+    place; without `with_legs` the legs are straight, for a later controller that moves the hips and solves the legs.
+    Deterministic for a seed."""
     generator = np.random.default_rng(seed)
     held = trunk_postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
     noise = _noise(times_s, life, seed)
@@ -154,7 +154,7 @@ def idle_motion(
 
 
 class _IdleNoise(NamedTuple):
-    """What moves a standing body: its weight (T,), sway (T, 14), bob (T,), slump (T,), and its arms (T, 6)."""
+    """The idle movement of a standing body: its weight (T,), sway (T, 14), bob (T,), slump (T,), and its arms (T, 6)."""
 
     weight: FloatArray
     sway: FloatArray

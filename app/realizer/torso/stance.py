@@ -1,5 +1,5 @@
-"""How the body stands from phrase to phrase: the weight goes to the other leg just before the voice begins, and the
-ribs bend and turn against the pelvis.
+"""Stances: from phrase to phrase the weight shifts to the other leg, just before the voice begins, and the ribs bend
+and turn against the pelvis.
 
 Speakers shift their posture where a new unit of talk begins (Cassell et al. 2001; Kendon 1972), the weight first, since
 the large masses set out before the limbs. In a long phrase the stance changes now and then as well. A weight that the
@@ -22,28 +22,28 @@ from ..body.movement_style import IdleLife
 from ..geometry.curves import superposed_movements
 
 BEFORE_S = 0.35
-"""How much earlier than the voice the weight sets out."""
+"""The weight begins to shift so long before the voice."""
 MOVING_S = (0.6, 0.95)
 
 LASTS_S = (2.0, 3.4)
 """How long a stance lasts within a phrase."""
 
 SHORTEST_S = 1.1
-"""A phrase that begins sooner after the last change keeps the stance, and none changes so shortly before its end."""
+"""The shortest time between two changes, and between the last change and the end of a phrase."""
 
 MOST_WEIGHT = 1.1
-"""On one leg: a little beyond it, as hips that jut out."""
+"""The largest weight on one leg; above 1 the hips jut out beyond it."""
 
 SMALLEST = 0.55
-"""Each stance has at least this share of the whole amounts, and they change sides."""
+"""Each stance has at least this share of the full amounts, on the other side than the last."""
 
 _BOW = 0.4
-"""Of the twist, how much the ribs bow or straighten with a stance."""
+"""How far the ribs bow or straighten with a stance, as a share of their twist."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class StanceCourse:
-    """What stances add over time: the weight (T,), and pitch, yaw and roll of the ribs over the pelvis (T, 3)."""
+    """The stances over time: the weight (T,), and pitch, yaw and roll of the ribs against the pelvis (T, 3)."""
 
     weight: FloatArray
     ribs: FloatArray
@@ -61,20 +61,20 @@ def stances(times_s: FloatArray, schedule: Schedule, life: IdleLife, *, seed: in
 
 
 def beside(asked: FloatArray, own: FloatArray, *, uneven: float) -> FloatArray:
-    """The weight (T,) with the body's `own` beside what is `asked`: the more of it a posture has put on one leg, beyond
-    the `uneven` share that nobody asked for, the less of its own."""
+    """The weight (T,): what the postures ask for (`asked`) plus the body's `own` shifts. The further a posture has
+    shifted the weight beyond the usual `uneven` share, the smaller the body's own shifts are."""
     free = 1 - 0.8 * np.clip((np.abs(asked) - uneven) / (1 - uneven), 0.0, 1.0)
     return np.asarray(np.clip(asked + free * own, -MOST_WEIGHT, MOST_WEIGHT))
 
 
 def _whole(life: IdleLife) -> FloatArray:
-    """The whole amounts of weight, pitch, yaw and roll."""
+    """The full amounts of weight, pitch, yaw and roll."""
     side, twist = np.radians([life.ribs_side_deg, life.ribs_twist_deg])
     return np.array([life.stance_weight, _BOW * twist, twist, side])
 
 
 def _drawn(count: int, generator: np.random.Generator) -> FloatArray:
-    """Shares (count, 4) of the whole amounts: weight and side bend change sides together, so that the ribs lean back
+    """Shares (count, 4) of the full amounts: weight and side bend change sides together, so that the ribs lean back
     over the leg that bears the weight; the twist changes sides in its own time."""
     sizes = generator.uniform(SMALLEST, 1.0, (count, 4))
     turns = np.where(np.arange(count) % 2 == 0, 1.0, -1.0) * generator.choice([-1.0, 1.0])
