@@ -65,7 +65,7 @@ def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -
 
 
 def _lasting(placed: PlacedGesture, length_s: float, most_m_s: float) -> PlacedGesture:
-    """The gesture with a stroke of this duration, limited to speeds at which a hand can move and still seems to strike."""
+    """The gesture with a stroke of this duration, within the speeds at which a hand can move and seems to strike."""
     stroke_s = placed.clip.markers.stroke_end - placed.clip.markers.stroke_start
     fastest = max(_stroke_m(placed)[1] / most_m_s, min(1.0, _LEAST_S / stroke_s))
     return replace(placed, clip=quickened(placed.clip, min(max(length_s / stroke_s, fastest), _SLOWEST)))

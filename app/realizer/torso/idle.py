@@ -154,7 +154,7 @@ def idle_motion(
 
 
 class _IdleNoise(NamedTuple):
-    """The idle movement of a standing body: its weight (T,), sway (T, 14), bob (T,), slump (T,), and its arms (T, 6)."""
+    """The idle movement of a standing body: weight (T,), sway (T, 14), bob (T,), slump (T,), and arms (T, 6)."""
 
     weight: FloatArray
     sway: FloatArray
