@@ -81,8 +81,9 @@ class Settings(BaseSettings):
     affect_model: Path | None = Field(
         default=None, description="your own ONNX model from the waveform to activation and valence; ours if unset"
     )
-    affect_data: Literal["all", "free"] = Field(
-        default="all", description="what our model of affect was taught by: all corpora, or those free for any use"
+    model_data: Literal["all", "free"] = Field(
+        default="all",
+        description="what our models that judge a voice were trained on: all corpora, or those free for any use",
     )
     agitation_model: Path | None = Field(
         default=None, description="a model that understudy agitation train wrote, in place of ours"

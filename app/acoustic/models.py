@@ -20,15 +20,16 @@ from .pacing.pacing import Pace
 
 @dataclass(frozen=True, slots=True)
 class AcousticModels:
-    """The models of the acoustic stage (paper §3.1). The aligner is loaded by the first line without word timings; it
-    runs in a process of its own, which `close` (or a `with` block) ends."""
+    """The models of the acoustic stage (paper §3.1). With models of free data alone there is none of focus. The aligner
+    is loaded by the first line without word timings; it runs in a process of its own, which `close` (or a `with` block)
+    ends."""
 
     settings: Settings
     when_aligning: OnDemand[Aligner]
     agitation: AgitationModel
     affect: AffectJudge
     listeners: Listeners
-    focus: FocusModel
+    focus: FocusModel | None
     when_pacing: OnDemand[Pace]
 
     @classmethod
@@ -41,7 +42,7 @@ class AcousticModels:
             agitation=_agitation_model(settings, models / "agitation"),
             affect=_affect_judge(settings, models / "affect"),
             listeners=Listeners.load(models / "focus" / "emphases.onnx"),
-            focus=FocusModel.load(models / "focus" / "focus.npz"),
+            focus=None if settings.model_data == "free" else FocusModel.load(models / "focus" / "focus.npz"),
             when_pacing=OnDemand(lambda: Pace.load(lexicon)),
         )
 
@@ -73,11 +74,12 @@ def _agitation_model(settings: Settings, folder: Path) -> AgitationModel:
     """The user's own model of agitation, else ours."""
     if settings.agitation_model is not None:
         return AgitationModel.load_file(settings.agitation_model)
-    return AgitationModel.load(folder, settings.agitation_features)
+    trained_on = folder / "free" if settings.model_data == "free" else folder
+    return AgitationModel.load(trained_on, settings.agitation_features)
 
 
 def _affect_judge(settings: Settings, folder: Path) -> AffectJudge:
     """The user's own model of affect, else ours."""
     if settings.affect_model is not None:
         return WaveformModel.load(settings.affect_model)
-    return FeatureJudge(AffectModel.load(folder / f"{settings.affect_data}.npz"))
+    return FeatureJudge(AffectModel.load(folder / f"{settings.model_data}.npz"))

@@ -203,7 +203,7 @@ def measure_stress(
     stressed, thresholds = stress(with_listeners(prominence(words, contours), listeners), contours)
     settings = acoustic.settings
     measure = Measure(settings.emphasis)
-    focused = acoustic.focus.with_focus(stressed, contours, listeners)
+    focused = acoustic.focus.with_focus(stressed, contours, listeners) if acoustic.focus else stressed
     return with_emphasis(focused, measure), thresholds
 
 

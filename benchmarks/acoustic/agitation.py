@@ -1,6 +1,6 @@
 """Accuracy of agitation on speakers that were not trained on (paper §3.1.4).
 
-    python -m benchmarks.acoustic.agitation [--speech FOLDER] [--features FILE] [--ablation]
+    python -m benchmarks.acoustic.agitation [--speech FOLDER] [--features FILE] [--ablation | --free]
 
 Speakers are never on both sides: RAVDESS in four folds of four actors (two women, two men), EmoDB and nEMO one speaker
 at a time. Each fold chooses its recipe and trains anew, as `training/agitation/` does, on all other speakers of all
@@ -15,6 +15,9 @@ recordings of the tested speaker, drawn anew for each.
 Then come the recipes that the folds chose, and how far memberships can be trusted: of the recordings whose strongest
 membership lies in a bin, its mean and the share that were right.
 
+--free measures the models that are trained on free data alone (`training.agitation --free`): on its speakers, one left
+out at a time, and on the other corpora, of which they have heard nothing.
+
 --ablation departs from the recipe one choice at a time, without reference. Features are measured by all processors in
 some fifteen minutes; --features keeps them in a file. Training takes one processor an hour.
 """
@@ -22,7 +25,7 @@ some fifteen minutes; --features keeps them in a file. Training takes one proces
 import argparse
 from collections import Counter
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -31,7 +34,7 @@ from numpy.typing import NDArray
 
 from training.agitation.choosing import choose
 from training.agitation.conditions import TEST_CONDITIONS, TRAINING_CONDITIONS
-from training.agitation.corpus import CORPORA, Samples, describe, read_audio, read_recordings
+from training.agitation.corpus import CORPORA, FREE_CORPORA, Samples, describe, read_audio, read_recordings
 from training.agitation.fuzzy_svm import Recipe, train
 from training.agitation.measuring import measured
 from understudy.acoustic.agitation.agitation import AgitationModel
@@ -125,7 +128,11 @@ def main() -> None:
     parser.add_argument("--speech", type=Path, default=SPEECH, help="folder of labels.csv and the corpora it names")
     parser.add_argument("--features", type=Path, help="file that keeps the features from one time to the next (.npz)")
     parser.add_argument("--ablation", action="store_true", help="depart from the recipe one choice at a time")
+    parser.add_argument("--free", action="store_true", help="the models of free data")
     options = parser.parse_args()
+    if options.free:
+        of_free_data(options.speech, options.features)
+        return
     recordings = read_recordings(options.speech, (*CORPORA, UNHEARD))
     features = measured(recordings, {**TRAINING_CONDITIONS, **TEST_CONDITIONS}, options.features)
     samples = {name: describe(recordings, features[name]) for name in FEATURE_SETS}
@@ -155,6 +162,30 @@ def by_corpus(feature_set: str, samples: Samples) -> None:
     fixed = nested.always_by(choose(trainable(samples), feature_set))
     for corpus in CORPORA:
         _report(f"{feature_set}, {corpus}, chosen on these folds", fixed, samples, corpus)
+
+
+def of_free_data(speech: Path, kept: Path | None) -> None:
+    """Models of free data, tested on their own corpora and on the others, all clean."""
+    print(f"{'tested on':<58} balanced low↔high  -log")
+    taught = read_recordings(speech, FREE_CORPORA)
+    features = measured(taught, TRAINING_CONDITIONS, kept)
+    trainers = {name: Trainer(name, FREE_CORPORA) for name in FEATURE_SETS}
+    for name, trainer in trainers.items():
+        for corpus in FREE_CORPORA:
+            _report(f"{name}, free, {corpus}", trainer, describe(taught, features[name]), corpus, references=REFERENCES)
+    for corpus in CORPORA:
+        if corpus not in FREE_CORPORA:
+            heard = read_recordings(speech, (corpus,))
+            clean = measured(heard, {"clean": TRAINING_CONDITIONS["clean"]}, None)
+            for name, trainer in trainers.items():
+                every = joined(describe(taught, features[name]), describe(heard, clean[name]))
+                _report(f"{name}, free, {corpus}", trainer, every, corpus, references=REFERENCES)
+
+
+def joined(first: Samples, second: Samples) -> Samples:
+    """The rows of both."""
+    names = [column.name for column in fields(Samples)]
+    return Samples(*(np.concatenate([getattr(first, name), getattr(second, name)]) for name in names))
 
 
 def ablation(samples: Samples) -> None:

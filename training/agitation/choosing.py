@@ -5,7 +5,7 @@ held-out recordings have, with their levels alike, as they were recorded; half o
 hear. The kernel of the choice is for a speaker unknown; the machine for a known one is trained by the same recipe.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 
 import numpy as np
@@ -42,7 +42,8 @@ CORPUS_SHARES: tuple[Mapping[str, float], ...] = (
 def choose(samples: Samples, feature_set: str) -> Recipe:
     """The recipe of the grid that surprises least on speakers held out in fours."""
     clean = samples.where(samples.conditions == "clean")
-    return min(_grid(feature_set), key=lambda recipe: surprise(clean, recipe))
+    corpora = [str(corpus) for corpus in np.unique(samples.corpora)]
+    return min(_grid(feature_set, corpora), key=lambda recipe: surprise(clean, recipe))
 
 
 def surprise(samples: Samples, recipe: Recipe) -> float:
@@ -70,6 +71,7 @@ def _over_corpora(surprises: FloatArray, weights: FloatArray, samples: Samples) 
     return float(np.average(means, weights=shares))
 
 
-def _grid(feature_set: str) -> Iterator[Recipe]:
-    for features, reach, cost, shares in product(FEATURES[feature_set], REACHES, COSTS, CORPUS_SHARES):
+def _grid(feature_set: str, corpora: Sequence[str]) -> Iterator[Recipe]:
+    corpus_shares = CORPUS_SHARES if len(corpora) > 1 else ({corpora[0]: 1.0},)
+    for features, reach, cost, shares in product(FEATURES[feature_set], REACHES, COSTS, corpus_shares):
         yield Recipe(features=features, reach=reach, cost=cost, corpus_shares=shares)

@@ -28,6 +28,9 @@ LEVELS = {"low": Level.LOW, "mid": Level.MEDIUM, "high": Level.HIGH}
 CORPORA = ("ravdess", "emodb", "nemo")
 """What models are trained on."""
 
+FREE_CORPORA = ("emodb",)
+"""Those of them that may be used for anything, also commercially."""
+
 SHARED_MEMBERSHIPS = {("ravdess", "fear", "normal"): (0.0, 0.5, 0.5)}
 """By corpus, emotion and intensity; low, medium, high. Strong fear is high; plain fear is taken half way to it."""
 

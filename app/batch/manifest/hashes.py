@@ -21,7 +21,7 @@ _OF_THE_RESULT = frozenset(
         "emphasis",
         "agitation_features",
         "agitation_model",
-        "affect_data",
+        "model_data",
         "affect_model",
         "choice",
         "max_audio_s",

@@ -32,7 +32,8 @@ from ..geometry.rotations import (
     to_rotation_vector,
     unit_vector,
 )
-from .gaze_targets import GazeTargets, Position, gaze_targets
+from ..gestures.gesture_plan import Position
+from .gaze_targets import GazeTargets, gaze_targets
 
 EYES = ("leftEye", "rightEye")
 TRUNK = ("spine", "chest", "upperChest")
