@@ -26,11 +26,11 @@ from .exporting.retargeting import Rig, find_rig, load_rigs
 from .face.expressions import realized_faces, unknown_faces
 from .face.face import face_weights
 from .face.face_tables import FaceTables
-from .gestures.gesture_plan import GesturePlan
+from .gestures.gesture_plan import GesturePlan, Position
 from .gestures.library import Library
 from .head_and_gaze.accompanying import accompanying_looks, with_looks
 from .head_and_gaze.gaze import apply_gaze, eyes_in_t_pose_m
-from .head_and_gaze.gaze_targets import LISTENER, LISTENER_M, Position
+from .head_and_gaze.gaze_targets import LISTENER, LISTENER_M
 from .head_and_gaze.head import apply_head_movements, realized_heads
 from .physics.tracking import with_physics
 from .scheduling.deviations import timing_deviations, unplayable_behaviors

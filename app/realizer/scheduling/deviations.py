@@ -10,7 +10,8 @@ from types import MappingProxyType
 
 from ...model import Behavior, Channel, Schedule, SyncPoints
 from ..body.motion import Decision
-from ..head_and_gaze.gaze_targets import DIRECTIONS, LISTENER, Position
+from ..gestures.gesture_plan import Position
+from ..head_and_gaze.gaze_targets import DIRECTIONS, LISTENER
 from ..head_and_gaze.head import MOVEMENTS, cycle_count
 from ..torso.posture import POSTURES, SHORTEST_SHIFT_S, reached_s
 from .rests import POSTURES as HAND_POSTURES

@@ -19,6 +19,7 @@ from understudy.realizer.geometry.rotations import (
     shortest_rotation,
     to_pitch_yaw_roll,
 )
+from understudy.realizer.gestures.gesture_plan import Position
 from understudy.realizer.head_and_gaze.gaze import (
     EYES,
     SIDEWAYS_LIMIT,
@@ -31,7 +32,7 @@ from understudy.realizer.head_and_gaze.gaze import (
     fixation_point_m,
     looking,
 )
-from understudy.realizer.head_and_gaze.gaze_targets import LISTENER_M, Position
+from understudy.realizer.head_and_gaze.gaze_targets import LISTENER_M
 from understudy.realizer.torso.idle import idle_motion
 
 COUNT = 100
