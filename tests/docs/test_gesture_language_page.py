@@ -19,9 +19,10 @@ from understudy.realizer.gestures.gesture import (
     Sideways,
     Thumb,
 )
-from understudy.realizer.gestures.language import FRAME, HEADER, OTHER
+from understudy.realizer.gestures.language import FRAME, HEADER
 from understudy.realizer.gestures.library import EMPHASIS
 from understudy.realizer.gestures.specifiers import ARM_JOINTS, MAX_OFFSET_M
+from understudy.realizer.gestures.statements import OTHER
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = (ROOT / "docs" / "gesture-language.md").read_text(encoding="utf-8")

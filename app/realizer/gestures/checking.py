@@ -10,7 +10,7 @@ from types import MappingProxyType
 
 from ...errors import Mistake
 from .gesture import ArmKey, FrameType, KeyCurve
-from .language import FrameTree, GestureFile, GestureTree, LocatedMistake, Statement, StatementValue, mistake_in
+from .statements import FrameTree, GestureFile, GestureTree, LocatedMistake, Statement, StatementValue, mistake_in
 
 IN_ORDER: tuple[FrameType, ...] = tuple(FrameType)
 """The phases in order."""

@@ -1,4 +1,4 @@
-"""Builds gesture definitions from parsed statements (`language.py`), collecting every mistake.
+"""Builds gesture definitions from parsed statements (`statements.py`), collecting every mistake.
 
 Levels of agitation that a file does not define are derived from medium: low is smaller, slower and smoother, high
 larger, faster and sharper. In a frame with OTHER, whatever it leaves open is mirrored from the leading arm.
@@ -13,8 +13,8 @@ from types import MappingProxyType
 from ...model import Hand, Level
 from .checking import TimedFrame, frame_mistakes, repeated_statements
 from .gesture import ArmKey, Definition, Expressivity, Frame, FrameType, OffsetTrack
-from .language import FrameTree, GestureTree, LocatedMistake, Statement, StatementValue
 from .specifiers import arm_key, key_curve, number, offset_tracks, one_of
+from .statements import FrameTree, GestureTree, LocatedMistake, Statement, StatementValue
 
 MEDIUM = Expressivity(repetition=0.35)
 FACTORS: Mapping[Level, tuple[float, float]] = MappingProxyType(

@@ -1,15 +1,12 @@
-"""Parses gesture files (Gesture Engine §4.2) into a syntax tree of statements, frames and gestures, collecting every
-mistake.
+"""Parses gesture files (Gesture Engine §4.2) into statements (`statements.py`), collecting every mistake.
 
 The language has one statement per line. Each line is parsed separately, then lines are assembled: GESTURECLASS begins a
-gesture, STARTFRAME … ENDFRAME enclose a frame. `definitions.py` interprets the words. Lines and columns count from 1.
-An unreadable line is a statement without words and with `readable` false, so that the lines around it can still be
-interpreted.
+gesture, STARTFRAME … ENDFRAME enclose a frame. `definitions.py` interprets the words.
 """
 
 import re
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache, lru_cache
 from pathlib import Path
 from types import MappingProxyType
@@ -17,83 +14,16 @@ from types import MappingProxyType
 from lark import Lark, Token, Tree, UnexpectedInput, UnexpectedToken
 
 from ...errors import Mistake, nearest_names
-
-OTHER = "OTHER"
-"""The keyword before a statement that speaks of the other arm."""
-
-
-@dataclass(frozen=True, slots=True)
-class StatementValue:
-    """A value of a statement and its position."""
-
-    text: str
-    line: int
-    column: int
-
-
-@dataclass(frozen=True, slots=True)
-class Statement:
-    """One line: keyword, arguments, and whether it refers to the other arm. `numbers` are the numeric arguments in
-    order, guaranteed numeric by the grammar."""
-
-    keyword: StatementValue
-    words: tuple[StatementValue, ...] = ()
-    numbers: tuple[StatementValue, ...] = ()
-    other: bool = False
-    readable: bool = True
-
-
-@dataclass(frozen=True, slots=True)
-class FrameTree:
-    """The lines from STARTFRAME to ENDFRAME, without the latter."""
-
-    start: Statement
-    statements: tuple[Statement, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class GestureTree:
-    """A gesture: the header lines, beginning with GESTURECLASS, and the frames."""
-
-    header: tuple[Statement, ...]
-    frames: tuple[FrameTree, ...]
-
-    @property
-    def start(self) -> StatementValue:
-        return self.header[0].keyword
-
-    def all_readable(self) -> bool:
-        """Whether all its lines were readable."""
-        return all(statement.readable for statement in self._statements())
-
-    def _statements(self) -> Iterator[Statement]:
-        yield from self.header
-        for frame in self.frames:
-            yield from (frame.start, *frame.statements)
-
-
-@dataclass(frozen=True, slots=True)
-class GestureFile:
-    """A parsed file: its lines and gestures."""
-
-    path: Path
-    lines: tuple[str, ...] = ()
-    gestures: tuple[GestureTree, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class LocatedMistake:
-    """A mistake and the word at which it was found."""
-
-    at: StatementValue
-    message: str
-
-
-def mistake_in(file: GestureFile, found: LocatedMistake) -> Mistake:
-    """A located mistake with its file and source line."""
-    at = found.at
-    return Mistake(file.path, at.line, at.column, found.message, file.lines[at.line - 1].rstrip("\r"))
-
+from .statements import (
+    OTHER,
+    FrameTree,
+    GestureFile,
+    GestureTree,
+    LocatedMistake,
+    Statement,
+    StatementValue,
+    mistake_in,
+)
 
 HEADER: Mapping[str, str] = MappingProxyType(
     {

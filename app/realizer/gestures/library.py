@@ -28,7 +28,7 @@ from .checking import duplicate_names
 from .definitions import definition
 from .gesture import ArmKey, Clip, ClipKey, Definition, Expressivity, Frame, FrameType, Markers
 from .gesture_space import sector_m
-from .language import GestureFile, LocatedMistake, mistake_in
+from .statements import GestureFile, LocatedMistake, mistake_in
 
 EMPHASIS = 0.61
 """Where speakers put the emphasis within a stroke, as a share of its duration (docs/references.md)."""

@@ -35,7 +35,7 @@ from .gesture import (
     Wrist,
 )
 from .gesture_space import DIRECTIONS
-from .language import LocatedMistake, Statement, StatementValue
+from .statements import LocatedMistake, Statement, StatementValue
 
 Named = TypeVar("Named", bound=StrEnum)
 

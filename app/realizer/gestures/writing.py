@@ -23,8 +23,8 @@ from .gesture import (
     Thumb,
     Wrist,
 )
-from .language import OTHER
 from .specifiers import AS_THE_FOREARM, FINGER_BASE, PALM
+from .statements import OTHER
 
 
 def write_gesture(definition: Definition) -> str:

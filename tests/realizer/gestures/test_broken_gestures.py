@@ -9,7 +9,8 @@ from tests.docs.test_gesture_language_page import EXAMPLES
 from tests.support.examples import examples
 from understudy.realizer.gestures.checking import duplicate_names
 from understudy.realizer.gestures.definitions import definition
-from understudy.realizer.gestures.language import LocatedMistake, mistake_in, parse_gestures
+from understudy.realizer.gestures.language import parse_gestures
+from understudy.realizer.gestures.statements import LocatedMistake, mistake_in
 
 LINES = tuple("\n".join(EXAMPLES).splitlines())
 WORDS = sorted({word for line in LINES for word in line.split()})

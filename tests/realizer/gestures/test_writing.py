@@ -34,7 +34,7 @@ from understudy.realizer.gestures.gesture import (
     TrackForm,
     Wrist,
 )
-from understudy.realizer.gestures.language import LocatedMistake, parse_gestures
+from understudy.realizer.gestures.language import parse_gestures
 from understudy.realizer.gestures.specifiers import (
     ARM_JOINTS,
     MAX_DEGREES,
@@ -43,6 +43,7 @@ from understudy.realizer.gestures.specifiers import (
     TrackJoint,
     orthogonal,
 )
+from understudy.realizer.gestures.statements import LocatedMistake
 from understudy.realizer.gestures.writing import write_gesture
 
 PATH = Path("written.gesture")
