@@ -27,9 +27,9 @@ from understudy.model.figure import PLAIN, Figure, Physique, Sex
 from understudy.models import load_characters, load_gestures
 from understudy.realization import Realizer, realize, schedule_of
 from understudy.realizer.arms.posing import pose_arm
+from understudy.realizer.body.body_space import on_body_m
 from understudy.realizer.body.contacts import penetrations_m
 from understudy.realizer.body.limits import violations
-from understudy.realizer.body.body_space import on_body_m
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.gestures.gesture_space import sector_m
 from understudy.realizer.gestures.library import clip

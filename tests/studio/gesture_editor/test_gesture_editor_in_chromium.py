@@ -9,7 +9,7 @@ from playwright.sync_api import Page
 
 from tests.studio.support.accessibility import serious_findings
 from tests.studio.support.waiting import wait_until
-from understudy.authoring.gestures import one_gesture
+from understudy.authoring.gesture_texts import one_gesture
 from understudy.realizer.gestures.gesture import Definition
 from understudy.realizer.gestures.writing import write_gesture
 
