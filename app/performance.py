@@ -32,7 +32,7 @@ from .errors import InputError
 from .model import Analysis, Direction, Line, Notice, Performance
 from .model.edits import WordEdit, WordMark
 from .model.lead_in import with_lead_in
-from .model.progress import Progress, no_progress
+from .model.performance import Progress, no_progress
 from .models import Understudy
 from .options import AS_USUAL, Options
 from .profiles.generation.script import GestureScript

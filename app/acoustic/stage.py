@@ -28,7 +28,7 @@ from ..model import (
     Utterance,
     Word,
 )
-from ..model.progress import Progress, no_progress
+from ..model.performance import Progress, no_progress
 from ..model.voice.signal import SpeakerReference
 from ..settings import Settings
 from ..text.transcript import read_transcript

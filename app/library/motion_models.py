@@ -11,7 +11,7 @@ from ..acoustic.stage import audio_limits, contours_of
 from ..errors import InputError, did_you_mean, shown
 from ..files import resource_folder
 from ..model import FRAME_SHIFT_S, AffectTrack, Analysis, Performance
-from ..model.progress import Progress, no_progress
+from ..model.performance import Progress, no_progress
 from ..models import Understudy
 from ..motion_models.affect import LinearAffectModel
 from ..motion_models.model import SCENARIOS, MotionModel, Scenario, is_model

@@ -1,11 +1,19 @@
-"""A whole performance, and notices about it."""
+"""A whole performance, notices about it, and the callback by which work reports its progress."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from .choice import Moment
 from .functions import Function
 from .language import Utterance
 from .schedule import Behavior, Listening, Target, Viseme
+
+Progress = Callable[[str], None]
+"""Called with the name of each stage as it begins."""
+
+
+def no_progress(_stage: str) -> None:
+    """Ignores progress."""
 
 
 @dataclass(frozen=True, slots=True)

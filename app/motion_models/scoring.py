@@ -19,7 +19,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..model import FloatArray
-from ..model.progress import Progress, no_progress
+from ..model.performance import Progress, no_progress
 from ..prosody_gestures.semi_markov import FRAME_S, Segment, similarity, states_by_frame
 from ..prosody_gestures.trellis import EVERYTHING, Search
 from ..realizer.geometry.rotations import to_rotation_vector

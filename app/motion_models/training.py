@@ -8,7 +8,7 @@ import numpy as np
 
 from ..errors import InputError
 from ..model import FloatArray
-from ..model.progress import Progress, no_progress
+from ..model.performance import Progress, no_progress
 from ..prosody_gestures.estimation import Counts, CountSmoothing, MixtureOptions, count, count_labels, fit_mixtures
 from ..prosody_gestures.semi_markov import FRAME_S, Emissions, IntArray, Segment, SemiMarkovModel, states_by_frame
 from .clustering import STRETCH_FRAMES, ParallelBranches, cluster_correlation, fewest_clusters, learn_branches

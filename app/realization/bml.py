@@ -22,7 +22,7 @@ from ..bml.reading.resolving import ResolvedDocument, resolve
 from ..model import DEFAULT_CHARACTER, Level, Notice, Schedule, Target, Word
 from ..model.lead_in import later_s
 from ..model.limits import MotionLimits
-from ..model.progress import Progress, no_progress
+from ..model.performance import Progress, no_progress
 from ..model.targets import check_targets
 from ..option_table import MOTION
 from ..text.transcript import read_transcript

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from ...errors import InputError
 from ...library.motion_models import Search, read_pairs, scenario_named, score_motion_models, train_motion_model
-from ...model.progress import Progress
+from ...model.performance import Progress
 from ...models import load_realizer
 from ...option_table import LARGEST_SEED
 from ...settings import read_settings
