@@ -1,8 +1,10 @@
 """`GET /`, and what the studio page loads: from `/studio/…` its own files and the bundled example, for which nobody
 needs a key; from `/opened/…` the line that `understudy studio` opens, for which the page sends the user's key.
 
-Files are sent with an ETag, so that a browser that has them asks only whether they are the same, and compressed to
-whoever takes that. The page may load and ask nothing but what this service has.
+The page names its files under `/studio/VERSION/…`, which is another path as soon as one of them changes: a browser
+keeps what it got there, and asks for none of some two hundred files on its next visit. Otherwise files are sent with an
+ETag, by which a browser that has them asks whether they are the same. They are compressed to whoever takes that. The
+page may load and ask nothing but what this service has.
 """
 
 import base64
@@ -40,6 +42,11 @@ MEDIA_TYPES: Mapping[str, str] = MappingProxyType(
 EXAMPLE = ("example.flac", "example.txt")
 SMALLEST_COMPRESSED_BYTES = 1024
 
+_REVALIDATED = MappingProxyType({"Cache-Control": "no-cache"})
+_KEPT = MappingProxyType({"Cache-Control": "public, max-age=31536000, immutable"})
+_OWN_FILES = b"./studio/"
+"""How the page begins the paths of its files."""
+_VERSION = re.compile(r"[0-9a-f]{16}/")
 _IMPORT_MAP = re.compile(rb'<script type="importmap">(.*?)</script>', re.DOTALL)
 _SOURCES = MappingProxyType(
     {
@@ -78,13 +85,16 @@ def page_router(opened: OpenedLine | OpenedScene | None = None) -> APIRouter:
     """The paths of the page, which finds a line at `/opened/line` and `/opened/audio`, the files of a scene at
     `/opened/scene/…`."""
     router = APIRouter(include_in_schema=False)
+    named = set[str]()  # the versions that this process has named; others are those of another, or of yesterday
 
     @router.get("/")
     def get_page(request: Request) -> Response:
         """The page."""
-        index = FOLDER / "index.html"
-        policy = content_policy(index.read_bytes())
-        return _sent(request, index, {"Content-Security-Policy": policy})
+        version = _version()
+        named.add(version)
+        page = _packed((FOLDER / "index.html").read_bytes().replace(_OWN_FILES, _OWN_FILES + version.encode()))
+        policy = {"Content-Security-Policy": content_policy(page.content)}
+        return _sent(request, page, ".html", {**_REVALIDATED, **policy})
 
     @router.get("/opened/line")
     def get_opened_line() -> dict[str, str]:
@@ -108,9 +118,19 @@ def page_router(opened: OpenedLine | OpenedScene | None = None) -> APIRouter:
     @router.get("/studio/{path:path}")
     def get_file(path: str, request: Request) -> Response:
         """What the page loads. Raises HTTPException 404."""
-        return _sent(request, _file_at(path), {})
+        version = _VERSION.match(path)
+        file = _file_at(path[version.end() :] if version else path)
+        is_kept = version is not None and version[0] in named
+        return _sent(request, _asset_at(file), file.suffix, _KEPT if is_kept else _REVALIDATED)
 
     return router
+
+
+def _version() -> str:
+    """A folder named by what is in the page's files."""
+    files = sorted(file for file in FOLDER.rglob("*") if file.suffix in MEDIA_TYPES)
+    told = "".join(f"{file} {_asset_at(file).etag}" for file in files)
+    return f"{hashlib.sha256(told.encode()).hexdigest()[:16]}/"
 
 
 def _line(opened: OpenedLine | OpenedScene | None) -> OpenedLine:
@@ -136,22 +156,28 @@ def _file_at(path: str) -> Path:
     return found
 
 
-def _sent(request: Request, file: Path, headers: Mapping[str, str]) -> Response:
-    """The file, or that it is the one the browser has."""
-    asset = _asset(file, file.stat().st_mtime_ns)
-    told = {"ETag": asset.etag, "Cache-Control": "no-cache", "Vary": "Accept-Encoding", **headers}
+def _sent(request: Request, asset: _Asset, suffix: str, headers: Mapping[str, str]) -> Response:
+    """What is asked for, or that it is what the browser has."""
+    told = {"ETag": asset.etag, "Vary": "Accept-Encoding", **headers}
     if request.headers.get("if-none-match") == asset.etag:
         return Response(status_code=304, headers=told)
-    media_type = MEDIA_TYPES[file.suffix]
+    media_type = MEDIA_TYPES[suffix]
     if asset.packed is not None and "gzip" in request.headers.get("accept-encoding", ""):
         return Response(asset.packed, media_type=media_type, headers=told | {"Content-Encoding": "gzip"})
     return Response(asset.content, media_type=media_type, headers=told)
 
 
+def _asset_at(file: Path) -> _Asset:
+    return _asset(file, file.stat().st_mtime_ns)
+
+
 @lru_cache(maxsize=512)
 def _asset(file: Path, _changed_ns: int) -> _Asset:
     """The file's content, kept until it changes."""
-    content = file.read_bytes()
+    return _packed(file.read_bytes())
+
+
+def _packed(content: bytes) -> _Asset:
     packed = gzip.compress(content, mtime=0) if len(content) >= SMALLEST_COMPRESSED_BYTES else None
     worth_it = packed is not None and len(packed) < 0.9 * len(content)
     return _Asset(content, packed if worth_it else None, f'"{hashlib.sha256(content).hexdigest()[:32]}"')

@@ -3,6 +3,7 @@
 import base64
 import hashlib
 import re
+import shutil
 from pathlib import Path
 
 import pytest
@@ -70,6 +71,28 @@ def test_a_file_that_the_browser_has_is_not_sent_again() -> None:
     again = _client().get("/studio/main.js", headers={"If-None-Match": first.headers["etag"]})
     assert (again.status_code, again.content) == (304, b"")
     assert again.headers["etag"] == first.headers["etag"]
+
+
+def test_what_the_page_names_is_kept_until_a_file_changes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    shutil.copytree(pages.FOLDER, tmp_path / "page")
+    monkeypatch.setattr(pages, "FOLDER", tmp_path / "page")
+    client = _client()
+
+    def main_script() -> str:
+        (found,) = re.findall(r'src="\./(studio/\w{16}/main\.js)"', client.get("/").text)
+        return f"/{found}"
+
+    first = main_script()
+    assert main_script() == first
+    assert "immutable" in client.get(first).headers["cache-control"]
+    assert client.get("/").headers["cache-control"] == client.get("/studio/main.js").headers["cache-control"]
+    (tmp_path / "page" / "dom.js").write_text("// another\n")
+    assert main_script() != first
+
+
+def test_a_version_that_another_service_named_is_not_kept() -> None:
+    answer = _client().get("/studio/0123456789abcdef/main.js")
+    assert (answer.status_code, answer.headers["cache-control"]) == (200, "no-cache")
 
 
 def test_it_is_sent_as_it_is_taken() -> None:
