@@ -31,6 +31,10 @@ STEEPNESS = 4.0
 LEAST_ODDS = -9.0
 """What is less likely than this is no alternative."""
 
+LEAST_BEHIND = 0.8
+"""How far, in log-odds, a gesture may be behind the best of its moment to come in its place where that has no time or
+hand: a hand that shows something else than is meant is worse than one that rests (chosen on held-out lines)."""
+
 LEAST_PRIORITY, PRIORITY_OF_SURE = 2.0, 10.0
 """Priorities of moments with importance 0 and 1, on the scale of functions (rules/functions/priorities.yaml)."""
 
@@ -74,17 +78,22 @@ def _of_moment(
         for name in (*asking, *offered)
         if not player.banned(name, moment.first, moment.last)
     }
+    behind = LEAST_BEHIND if _weighed(moment, plan) else -LEAST_ODDS
     generator = random.Random(f"{player.seed} {moment.id} {utterance.words[moment.stroke].text}")
     best = sorted(rated.items(), key=lambda item: (-item[1], item[0]))[:MOST_ALTERNATIVES]
     alternatives = tuple(
         Alternative(
-            (_movement(moment, name, support, _parts(player, moment, plan, name, support) + _by_lemma(asking, name)),),
+            (
+                _movement(
+                    player, moment, name, support, _parts(player, moment, plan, name, support) + _by_lemma(asking, name)
+                ),
+            ),
             weight=exp(STEEPNESS * (odds - best[0][1])),
             lot=generator.uniform(0.9, 1.1),
         )
         for name, odds in best
         for support in (offered.get(name),)
-        if odds > LEAST_ODDS
+        if odds > max(LEAST_ODDS, best[0][1] - behind)
     )
     return BehaviorCandidates(None, alternatives, moment) if alternatives else None
 
@@ -193,15 +202,21 @@ def _offered(player: Player, moment: Moment, supports: Iterable[Support]) -> dic
     )
 
 
-def _movement(moment: Moment, name: str, support: Support | None, parts: tuple[Term, ...]) -> Movement:
+def _movement(player: Player, moment: Moment, name: str, support: Support | None, parts: tuple[Term, ...]) -> Movement:
     return Movement(
         name=name,
         first=moment.first,
         last=moment.last,
         priority=round(LEAST_PRIORITY + (PRIORITY_OF_SURE - LEAST_PRIORITY) * moment.importance, 1),
-        rule=support.rule if support else family_rule(moment.channel, moment.families[0]),
+        rule=support.rule if support else family_rule(moment.channel, _family_of(player, moment, name)),
         function=support.function.id if support else None,
         stroke=moment.stroke,
         moment=moment.id,
         decided_by=parts,
     )
+
+
+def _family_of(player: Player, moment: Moment, name: str) -> str:
+    """The first of the moment's families that a behaviour shows; of none, as mimes may be, the moment's first."""
+    listed = ((family, _behaviors_of(player.families, moment.channel, family)) for family in moment.families)
+    return next((family for family, shown in listed if any(each.name == name for each in shown)), moment.families[0])

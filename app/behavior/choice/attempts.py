@@ -3,7 +3,8 @@
 Planned moments, of which there are many more candidates than people make gestures, meet stricter conditions than what
 is asked for: the hand is not switched within `HAND_SWITCH_S`, and there are no more than the character usually makes.
 (What was shown just before is a part of their worth.) What functions ask for by priority alone, or a director, is made
-if there is time for it (paper §3.5): if necessary with the other hand, or with a smaller and shorter stroke.
+if there is time for it (paper §3.5), if necessary with the other hand. Where there is little time, both are made with a
+smaller and shorter stroke.
 """
 
 from collections.abc import Iterable
@@ -60,7 +61,7 @@ def attempted(
     for place, movement in enumerate(alternative.movements):
         name = f"{movement.moment or movement.function}.{number}.{place}"
         entry = line.character.entries[movement.name]
-        candidate = asked(movement, entry, line.timed, name, may_be_brief=not is_planned(offer))
+        candidate = asked(movement, entry, line.timed, name, may_be_brief=True)
         candidate = with_hand(candidate, kept, line.character.handedness)
         outcome = _outcome(candidate, offer, kept, line, hand=entry.hand)
         if isinstance(outcome, FittedBehavior):

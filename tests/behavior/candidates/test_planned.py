@@ -3,10 +3,14 @@
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from understudy.behavior.candidates.planned import candidates_of
+import numpy as np
+
+from understudy.behavior.candidates.planned import LEAST_BEHIND, candidates_of
+from understudy.behavior.reading.choice_model import ChoiceModel
 from understudy.behavior.reading.families import Families, FamilyBehavior
 from understudy.behavior.reading.planning import Plan
 from understudy.behavior.reading.player import Ban, Player
+from understudy.behavior.reading.worths import LineWorths
 from understudy.model import (
     Alternative,
     BehaviorCandidates,
@@ -87,7 +91,24 @@ def test_the_behaviour_that_shows_the_likeliest_family_weighs_most() -> None:
     )
     assert names(found) == ["wipe", "open_hand", "away"]
     assert {each.movements[0].stroke for each in found.alternatives} == {1}
-    assert {each.movements[0].rule for each in found.alternatives} == {"gesture_family_negation"}
+    rules = {each.movements[0].name: each.movements[0].rule for each in found.alternatives}
+    assert rules == {
+        "wipe": "gesture_family_negation",
+        "away": "gesture_family_negation",
+        "open_hand": "gesture_family_present",
+    }
+
+
+def test_a_weighed_gesture_has_no_substitute_that_says_much_less_of_what_is_meant() -> None:
+    choice = ChoiceModel(("negation", "present"), np.zeros(2, np.float32), 1.0, {}, np.zeros((0, 2)), 0.4, {}, {})
+    columns = {"NEGATION": 0, "DISMISS": 1, "OPEN_HAND": 2}
+    shown = np.array([[1, 0], [0.5, 0], [0, 1]], np.float32)
+    even, none = np.full((3, 2), 0.5, np.float32), np.zeros((3, 3), np.float32)
+    behind = np.tile(np.array([0, 0.9 * LEAST_BEHIND, 1.1 * LEAST_BEHIND], np.float32), (3, 1))
+    worths = LineWorths(choice, columns, shown, even, (frozenset(),) * 3, even, {}, none[:, 0], none, -behind)
+    asked = moment("negation", "present", shares=(0.6, 0.4))
+    (found,) = candidates_of(PLAYER, utterance("no not those"), Plan((asked,), worths), [])
+    assert names(found) == ["wipe", "away"]
 
 
 def test_a_mime_is_offered_where_its_lemma_is_and_not_elsewhere() -> None:
