@@ -118,6 +118,8 @@ def plan(planner: Planner, line: Understood, player: Player, *, still: Sequence[
     placed = {each.word: each for each in parallel} or _placed(contrast, line.functions, taken, ground)
     taken = with_placed(taken, placed.values(), ground)
     worths = after_what_was_shown(worths, [word for word in taken if word not in placed], ground.times_s)
+    worth_it = _gains(planner, reading, worths) >= price
+    taken = [word for word in taken if word in placed or worth_it[word]]
     kinds = {each.channel: each for each in _heads_and_faces(planner, reading, line, worths.terms, player)}
     texts = [word.text for word in utterance.words]
     moments = chain(

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import pytest
 
+from understudy.behavior.reading import worths as weighing
 from understudy.behavior.reading.decoding import STROKES_APART_S, usual_times_s
 from understudy.behavior.reading.planning import Plan, Understood, plan
 from understudy.behavior.reading.player import Player
@@ -162,6 +163,19 @@ def test_what_was_shown_just_before_is_worth_less_and_says_so(understudy: Unders
     assert lost == pytest.approx(JUST_SHOWN * (1 - 2.0 / JUST_SHOWN_S), abs=1e-3)
     assert {part.name: part.weight for part in after.parts(6, lexeme)}[JUST_BEFORE] == pytest.approx(lost, abs=0.01)
     assert after.of(2, lexeme) == before.of(2, lexeme)
+
+
+def test_what_would_only_be_shown_again_is_left_out(understudy: Understudy, monkeypatch: pytest.MonkeyPatch) -> None:
+    denied = "No, no, no, no, no, no, no, no, no, no, no, no."
+
+    def gestures() -> int:
+        found = plan_of(understudy, denied, player(understudy))
+        return sum(moment.channel is Channel.GESTURE for moment in found.moments)
+
+    monkeypatch.setattr(weighing, "JUST_SHOWN", 0.0)
+    repeated = gestures()
+    monkeypatch.setattr(weighing, "JUST_SHOWN", -30.0)
+    assert 1 <= gestures() < repeated
 
 
 def test_nothing_is_lost_for_what_was_shown_long_before(understudy: Understudy) -> None:
