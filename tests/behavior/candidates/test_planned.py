@@ -100,7 +100,9 @@ def test_the_behaviour_that_shows_the_likeliest_family_weighs_most() -> None:
 
 
 def test_a_weighed_gesture_has_no_substitute_that_says_much_less_of_what_is_meant() -> None:
-    choice = ChoiceModel(("negation", "present"), np.zeros(2, np.float32), 1.0, {}, np.zeros((0, 2)), 0.4, {}, {})
+    choice = ChoiceModel(
+        ("negation", "present"), np.zeros(2, np.float32), 1.0, {}, np.zeros((0, 2), np.float32), 0.4, {}, {}
+    )
     columns = {"NEGATION": 0, "DISMISS": 1, "OPEN_HAND": 2}
     shown = np.array([[1, 0], [0.5, 0], [0, 1]], np.float32)
     even, none = np.full((3, 2), 0.5, np.float32), np.zeros((3, 3), np.float32)
