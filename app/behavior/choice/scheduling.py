@@ -162,8 +162,9 @@ def _fitted(movement: Movement, kept: TimeIndex, line: ChoiceContext, reason: st
     return outcome if isinstance(outcome, FittedBehavior) else None
 
 
-PLANNED_MORE = 1.6
-"""Ideas crowd in some lines and are absent from others: a planned line may have this many times the usual gestures."""
+PLANNED_MORE = MappingProxyType({Level.LOW: 1.6, Level.MEDIUM: 1.6, Level.HIGH: 2.0})
+"""Ideas crowd in some lines and are absent from others: a planned line may have this many times the usual gestures, and
+agitation drives the quantity (paper §1)."""
 
 ASKED_MORE = MappingProxyType({Level.LOW: 3.6, Level.MEDIUM: 4.0, Level.HIGH: 4.6})
 """How many times the usual gestures functions may ask for by priority alone, as in the paper's Figure 8: in the usual
@@ -196,8 +197,8 @@ def schedule(
     candidates = tuple(candidates)
     planned = any(each.moment and not each.moment.demanded for each in candidates)
     spoken_s = duration_s - utterance.lead_in_s
-    at_rate = most_gestures(character, spoken_s * (PLANNED_MORE if planned else 1.0))
     level = utterance.level
+    at_rate = most_gestures(character, spoken_s * (PLANNED_MORE[level] if planned else 1.0))
     most_asked = most_gestures(character, spoken_s * ASKED_MORE[level])
     line = ChoiceContext(timed, character, at_rate + _second_places(candidates), most_asked, bans)
     kept, lost = choose(candidates, line)
