@@ -1,8 +1,11 @@
 """What the page saves is what the command line writes; a project opens again as it was."""
 
+import base64
 import io
 import json
+import math
 import zipfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -13,6 +16,26 @@ from tests.support.python_page import ROOT
 from understudy.cli.main import main
 
 AUDIO, TEXT = ROOT / "examples/example.flac", ROOT / "examples/example.txt"
+
+
+SHOWN = """
+async (film) => {
+  const bytes = Uint8Array.from(atob(film), (letter) => letter.charCodeAt(0));
+  const video = document.createElement("video");
+  video.src = URL.createObjectURL(new Blob([bytes], { type: "video/webm" }));
+  const told = (name) => new Promise((resolve, reject) => {
+    video.addEventListener(name, resolve, { once: true });
+    video.addEventListener("error", () => reject(video.error), { once: true });
+  });
+  await told("loadeddata");
+  const sought = told("seeked");
+  video.currentTime = 0.3;
+  await sought;
+  const heard = await new OfflineAudioContext(1, 1, 48000).decodeAudioData(bytes.buffer);
+  const size = [video.videoWidth, video.videoHeight];
+  return { size, seconds: video.duration, sought_s: video.currentTime, heard_s: heard.duration };
+}
+"""
 
 
 @pytest.fixture(scope="module")
@@ -45,6 +68,22 @@ def _made(page: Page, button: str) -> bytes:
     with page.expect_download() as download:
         page.click(f"#exports button:has-text('{button}')")
     return Path(download.value.path()).read_bytes()
+
+
+def _pictures_of(film: bytes) -> int:
+    """How many blocks of its first track a film has (Matroska: a name, a size of eight bytes, the content)."""
+    segment = dict(_elements(film))["18538067"]
+    clusters = [content for name, content in _elements(segment) if name == "1f43b675"]
+    blocks = [content for cluster in clusters for name, content in _elements(cluster) if name == "a3"]
+    return sum(block[0] == 0x81 for block in blocks)
+
+
+def _elements(content: bytes) -> Iterator[tuple[str, bytes]]:
+    while content:
+        wide = 9 - content[0].bit_length()
+        size = int.from_bytes(content[wide : wide + 8], "big") & (1 << 56) - 1
+        yield content[:wide].hex(), content[wide + 8 : wide + 8 + size]
+        content = content[wide + 8 + size :]
 
 
 @pytest.mark.parametrize("ending", [".bml", ".smartbody.bml", ".glb", ".bvh", ".csv"])
@@ -80,7 +119,7 @@ def test_stills_are_a_picture_of_the_strokes(looked_at: Page) -> None:
     assert _made(looked_at, "Still sheet").startswith(b"\x89PNG")
 
 
-def test_a_film_and_frames_are_as_long_as_the_line(opened: Page, tmp_path: Path) -> None:
+def test_a_film_has_each_frame_and_the_sound_and_frames_are_as_many(opened: Page, tmp_path: Path) -> None:
     samples, rate_hz = soundfile.read(AUDIO)
     short = tmp_path / "short.wav"
     soundfile.write(short, samples[: int(0.6 * rate_hz)], rate_hz)
@@ -91,7 +130,12 @@ def test_a_film_and_frames_are_as_long_as_the_line(opened: Page, tmp_path: Path)
     opened.wait_for_selector("#stage-canvas[data-roles='speaker']")
     seconds = opened.evaluate("document.querySelector('audio').duration")
     film = _made(opened, "Film")
-    assert film.startswith(b"\x1a\x45\xdf\xa3")
+    shown = opened.evaluate(SHOWN, base64.b64encode(film).decode())
+    assert shown["size"] == [1920, 1080]
+    assert shown["seconds"] == pytest.approx(seconds, abs=0.001)
+    assert shown["sought_s"] == pytest.approx(0.3, abs=0.001)
+    assert shown["heard_s"] == pytest.approx(seconds, abs=0.03)
+    assert _pictures_of(film) == math.ceil(30 * seconds)
     with zipfile.ZipFile(io.BytesIO(_made(opened, "Frames"))) as frames:
         assert abs(len(frames.namelist()) - 30 * seconds) <= 1
         assert frames.read("00000.png").startswith(b"\x89PNG")

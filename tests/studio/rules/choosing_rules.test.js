@@ -33,15 +33,15 @@ test("a kind leaves out the others", () => {
   assert.deepEqual(names(matching(ITEMS, "big", "bml")), ["big_nod"]);
 });
 
-test("what is there no more is told before what is new", () => {
+test("what a line no longer means is told in words, then what is likelier, then what is new", () => {
   const said = { id: "", class: "affirmation", subtype: "", text: "Yes,", first: 0, last: 0, priority: 5, rule: "big_yes", because: [], kept: true };
   const offered = { name: "big_nod", rule: "show", class: "affirmation", first: 0, last: 0, weight: 4 };
   /** @type {LineChange} */
-  const change = { id: "", text: "", functions_before: [said], functions_after: [], offers_before: [offered], offers_after: [{ ...offered, weight: 9 }] };
+  const change = { id: "", text: "", functions_before: [said], functions_after: [], offers_before: [offered], offers_after: [{ ...offered, weight: 9 }, { ...offered, name: "raise_brows", weight: 2 }] };
   assert.deepEqual(toldChanges(change), [
-    { sign: "-", text: "affirmation “Yes,”, priority 5 (big_yes)" },
-    { sign: "-", text: "big_nod for affirmation, weight 4 (show)" },
-    { sign: "+", text: "big_nod for affirmation, weight 9 (show)" },
+    { sign: "−", text: "“Yes,” is no longer read as a yes", technical: "affirmation, priority 5 (big_yes)" },
+    { sign: "~", text: "Big nod, for a yes, is likelier", technical: "weight 4, then 9 (show)" },
+    { sign: "+", text: "Raise brows, for a yes, is offered", technical: "weight 2 (show)" },
   ]);
 });
 

@@ -34,7 +34,10 @@ def _edit(page: Page, before: str, after: str) -> None:
 
 
 def test_a_rule_is_found_and_explained_and_its_file_is_shown_at_its_line(rules: Page) -> None:
+    """Before that there is nothing to try."""
+    assert rules.is_hidden("#rules-run")
     _choose(rules, "show_affirmation", "behavior")
+    assert rules.is_visible("#rules-run")
     assert "agreement.rules:" in rules.inner_text("#rule-file")
     rules.wait_for_selector("#rule-explained pre")
     assert "big_nod" in rules.inner_text("#rule-explained")
@@ -50,7 +53,9 @@ def test_an_edited_word_changes_examples_and_the_diff_is_shown(rules: Page) -> N
     rules.wait_for_selector("#rules-compared .changed-line")
     told = rules.inner_text("#rules-compared")
     assert " lines change" in told
-    assert "- affirmation " in told
+    assert "is no longer read as a yes" in told
+    technical = rules.get_attribute("#rules-compared .gone >> nth=0", "title") or ""
+    assert technical.endswith("priority 5 (affirmation_word)")
     rules.click("#rules-back")
     assert rules.is_disabled("#rules-compare")
     assert "      - yes\n" in rules.input_value("#rule-text")

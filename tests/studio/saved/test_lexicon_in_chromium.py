@@ -10,7 +10,7 @@ from tests.studio.support.serving import served
 from tests.studio.support.waiting import wait_until
 
 
-def test_gestures_words_and_weights_are_saved_into_the_authors_folder(browser: Browser, tmp_path: Path) -> None:
+def test_what_is_written_and_a_new_character_are_saved_in_the_folder(browser: Browser, tmp_path: Path) -> None:
     folder = tmp_path / "own"
     folder.mkdir()
     command = ("studio", "--no-browser", "--port", "0", "--lexicon", str(folder))
@@ -38,6 +38,16 @@ def test_gestures_words_and_weights_are_saved_into_the_authors_folder(browser: B
             with page.expect_response(lambda response: response.request.method == "PUT") as answered:
                 page.click("#rules-save")
             assert answered.value.ok, answered.value.text()
+        page.click("text=New character…")
+        page.fill("#character-name", "old_sailor")
+        page.select_option(".new-character select", "lexicon/characters/reserved.yaml")
+        page.click("#character-make")
+        wait_until(page, "document.querySelector('#rule-text').value.includes('description: Says much')")
+        with page.expect_response(lambda response: response.request.method == "PUT") as answered:
+            page.click("#rules-save")
+        assert answered.value.ok, answered.value.text()
+        [sailor] = folder.rglob("characters/old_sailor.yaml")
+        assert "height_m: 1.90" in sailor.read_text(encoding="utf-8")
         [words] = folder.rglob("affirmation.yaml")
         assert "      - yes\n" not in words.read_text(encoding="utf-8")
         [weights] = folder.rglob("weights.yaml")

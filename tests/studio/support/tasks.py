@@ -101,7 +101,7 @@ def angrier(desk: Desk) -> None:
     performed(page)
     page.get_by_label("Agitation").first.select_option("high")
     performed(page)
-    expect(page.locator("#state")).to_contain_text("high agitation")
+    expect(page.locator("#agitation option:checked")).to_have_text("Agitated")
     desk.look("angry")
 
 

@@ -7,8 +7,9 @@ import { AVATAR, PERFORMED, PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
 import { SCREEN } from "../stage/viewing.js";
 import { TAKES } from "../takes/takes.js";
+import { film } from "./film.js";
 import { FORMATS } from "./formats.js";
-import { film, frames, sheet } from "./pictures.js";
+import { frames, sheet } from "./pictures.js";
 import { projectFile } from "./project_file.js";
 
 /** @import { Service } from "../service/service.js" */
@@ -22,10 +23,23 @@ import { projectFile } from "./project_file.js";
  */
 export function mountExports(element, store, service) {
   const told = el("p", { id: "exported", role: "status", class: "quiet" });
-  const controls = el("fieldset", { disabled: true }, [formatRow(store, service, told), pictureRow(store, told)]);
-  const edits = el("div", {}, [el("h2", {}, ["Edits"]), fileButtons(store)]);
-  element.append(el("h2", {}, ["Export"]), controls, told, edits);
+  const made = buttons(store, told);
+  const controls = el("fieldset", { disabled: true }, [
+    part("Film and pictures", "What the stage shows, at 1920 × 1080.", el("div", { class: "row" }, made.pictures)),
+    part("For another program", "The line as motion, behaviour (BML) or a list of times.", formatRow(store, service, told)),
+    part("To go on later", "Recording, words, edits and takes in one file. Drop it on the page to go on.", el("div", { class: "row" }, [made.project])),
+  ]);
+  element.append(controls, told, part("Edits alone", "For the same line elsewhere, or for a whole script (batch).", fileButtons(store)));
   store.watch(PERFORMED, (line) => (controls.disabled = line === null));
+}
+
+/**
+ * @param {string} title
+ * @param {string} hint
+ * @param {HTMLElement} controls
+ */
+function part(title, hint, controls) {
+  return el("section", { class: "export" }, [el("h3", {}, [title]), el("p", { class: "quiet" }, [hint]), controls]);
 }
 
 /**
@@ -48,7 +62,7 @@ function formatRow(store, service, told) {
  * @param {Store} store
  * @param {HTMLElement} told
  */
-function pictureRow(store, told) {
+function buttons(store, told) {
   const tell = (/** @type {number} */ share) => told.replaceChildren(`${String(Math.round(share * 100))} %`);
   const screen = () => {
     const found = store.get(SCREEN);
@@ -59,12 +73,12 @@ function pictureRow(store, told) {
   };
   const button = (/** @type {string} */ name, /** @type {string} */ ending, /** @type {(exported: Exported) => Promise<Blob>} */ make) =>
     el("button", { type: "button", click: () => void offer(store, told, ending, make) }, [name]);
-  return el("div", { class: "row" }, [
-    button("Project", ".studio.zip", ({ line }) => projectFile(line, store.get(TAKES))),
+  const pictures = [
     button("Film (WebM)", ".webm", ({ performed }) => film(store, screen(), lengthOf(performed), tell)),
     button("Frames (PNG)", ".frames.zip", ({ performed }) => frames(store, screen(), lengthOf(performed), tell)),
     button("Still sheet", ".png", ({ performed }) => sheet(store, screen(), performed.performance)),
-  ]);
+  ];
+  return { pictures, project: button("Project (zip)", ".studio.zip", ({ line }) => projectFile(line, store.get(TAKES))) };
 }
 
 /** @param {Exported["performed"]} performed */

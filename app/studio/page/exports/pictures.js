@@ -1,64 +1,24 @@
 /**
- * What the stage shows, taken away: a film and its frames at 1920 × 1080, a sheet of stills as large as the stage. Nothing
- * that is selected is pointed out in them.
+ * What the stage shows, taken away as pictures: the frames of a film at 1920 × 1080, a sheet of stills as large as the stage.
+ * Nothing that is selected is pointed out in them.
  */
 
 import { zipSync } from "fflate";
 
-import { PLAYBACK, TIME_S } from "../state/performed.js";
-import { large, playedToTheEnd, resting, taken } from "./taking.js";
+import { FILM_HZ } from "./encoding.js";
+import { large, resting, taken } from "./taking.js";
 
 /** @import { Performance } from "understudy-client" */
 /** @import { Store } from "../state/store.js" */
 /** @import { Screen } from "../stage/viewing.js" */
 /** @import { Telling } from "./taking.js" */
 
-const FRAMES_HZ = 30;
 const MOST_STILLS = 12;
 const COLUMNS = 4;
 const LABEL_PX = 26;
 
 /**
- * The line as it is played once, with its voice (WebM). It takes as long as the line.
- *
- * @param {Store} store
- * @param {Screen} screen
- * @param {number} length_s
- * @param {Telling} tell
- */
-export async function film(store, screen, length_s, tell) {
-  return large(store, screen, () => filmed(store, screen, length_s, tell));
-}
-
-/**
- * @param {Store} store
- * @param {Screen} screen
- * @param {number} length_s
- * @param {Telling} tell
- */
-async function filmed(store, { canvas, audio }, length_s, tell) {
-  const stream = canvas.captureStream(FRAMES_HZ * 2);
-  // Where the browser cannot tap the recording, the film is silent.
-  const voice = /** @type {{ captureStream?: () => MediaStream }} */ (/** @type {unknown} */ (audio)).captureStream?.();
-  for (const track of voice?.getAudioTracks() ?? []) {
-    stream.addTrack(track);
-  }
-  const recorder = new MediaRecorder(stream, { mimeType: "video/webm", videoBitsPerSecond: 8_000_000 });
-  /** @type {Blob[]} */
-  const pieces = [];
-  recorder.addEventListener("dataavailable", ({ data }) => pieces.push(data));
-  const stopped = new Promise((resolve) => recorder.addEventListener("stop", resolve, { once: true }));
-  store.set(TIME_S, 0);
-  store.set(PLAYBACK, { playing: true, speed: 1, loop: null });
-  recorder.start();
-  await playedToTheEnd(store, length_s, tell);
-  recorder.stop();
-  await stopped;
-  return new Blob(pieces, { type: "video/webm" });
-}
-
-/**
- * Frames as PNG in a zip, FRAMES_HZ a second, named as ffmpeg's %05d wants them.
+ * Frames as PNG in a zip, FILM_HZ a second, named as ffmpeg's %05d wants them.
  *
  * @param {Store} store
  * @param {Screen} screen
@@ -66,12 +26,12 @@ async function filmed(store, { canvas, audio }, length_s, tell) {
  * @param {Telling} tell
  */
 export async function frames(store, screen, length_s, tell) {
-  const count = Math.ceil(length_s * FRAMES_HZ);
+  const count = Math.ceil(length_s * FILM_HZ);
   /** @type {Record<string, Uint8Array>} */
   const files = {};
   await large(store, screen, async () => {
     for (let frame = 0; frame < count; frame++) {
-      const picture = await taken(store, screen, frame / FRAMES_HZ);
+      const picture = await taken(store, screen, frame / FILM_HZ);
       files[`${String(frame).padStart(5, "0")}.png`] = new Uint8Array(await picture.arrayBuffer());
       tell((frame + 1) / count);
     }

@@ -50,10 +50,11 @@ function which(store) {
  */
 function texts(store, gesture) {
   const name = text("Name", "gesture-name", gesture.name, (value) => put(store, "Name", { name: value }));
-  const kind = text("Class", "gesture-class", gesture.class, (value) => put(store, "Class", { class: value }));
-  const shows = text("Shows (BML lexemes)", "gesture-categories", gesture.categories.join(" "), (value) =>
+  const kind = text("Kind", "gesture-class", gesture.class, (value) => put(store, "Class", { class: value }));
+  const shows = text("Stands for", "gesture-categories", gesture.categories.join(" "), (value) =>
     put(store, "Lexemes", { categories: value.toUpperCase().split(/\s+/).filter(Boolean) }),
   );
+  shows.title = "What rules and BML ask for when they want it, in capitals with spaces between (its lexemes): NEGATION STOP";
   const [least, most] = store.get(LANGUAGE)?.ranges["duration_s"] ?? [0.1, 10];
   const lasts = el("input", { type: "number", id: "gesture-duration", min: least, max: most, step: 0.1, value: gesture.duration_s });
   lasts.addEventListener("change", () => put(store, "Duration", { duration_s: Math.min(Math.max(Number(lasts.value), least), most) }));

@@ -7,6 +7,7 @@
 import { choice, el, labelled } from "../dom.js";
 import { icon } from "../icons.js";
 import { problemOf } from "../service/service.js";
+import { AGITATION } from "../naming/movements.js";
 import { PROBLEM } from "../state/performed.js";
 import { Bodies } from "../stage/bodies.js";
 import { viewOf } from "../stage/cameras.js";
@@ -21,7 +22,6 @@ import { FRAME } from "./gestures.js";
 /** @import { Store } from "../state/store.js" */
 /** @import { Level } from "./checking.js" */
 
-const LEVELS = /** @type {const} */ ([["low", "Low"], ["medium", "Medium"], ["high", "High"]]);
 const EYES_M = 1.55;
 
 /**
@@ -41,7 +41,7 @@ export function preview(store, service) {
 
 /** @param {Store} store */
 function controls(store) {
-  const levels = choice(LEVELS, "medium", (level) => store.patch(PREVIEW, { level: /** @type {Level} */ (level) }));
+  const levels = choice(AGITATION, "medium", (level) => store.patch(PREVIEW, { level: /** @type {Level} */ (level) }));
   levels.id = "gesture-level";
   const play = el("button", { type: "button", id: "gesture-play", click: () => toggle(store) }, []);
   store.watch(PREVIEW, ({ playing }) => {

@@ -1,23 +1,23 @@
 /** The line as its author gives it: recording, words, character, agitation, seed, stillness, mode, gesture profile. */
 
 import { choice, el, foldable, labelled } from "../dom.js";
-import { plain } from "../naming/movements.js";
+import { AGITATION, plain } from "../naming/movements.js";
 import { problemOf } from "../service/service.js";
 import { ChangeProject } from "../state/change_project.js";
-import { AVATAR, BUSY, PERFORMED, PROBLEM } from "../state/performed.js";
-import { isRecorded, PROJECT } from "../state/project.js";
+import { AVATAR, PERFORMED, PROBLEM } from "../state/performed.js";
+import { PROJECT } from "../state/project.js";
 import { CHARACTERS } from "../stage/viewing.js";
+import { lineState } from "./line_state.js";
 import { STARTING } from "./starting.js";
 
-/** @import { Performance, PerformOptions } from "understudy-client" */
-/** @import { Project } from "../state/project.js" */
+/** @import { PerformOptions } from "understudy-client" */
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
 
 /** Under this name the browser keeps whether the rare settings are seen. */
 const UNFOLDED = "understudy-advanced";
 const EXAMPLE_PROFILES = ["sparing", "sweeping"];
-const LEVELS = /** @type {const} */ ([["", "As heard"], ["low", "Low"], ["medium", "Medium"], ["high", "High"]]);
+const AS_HEARD = "As heard";
 const TONES = /** @type {const} */ (["neutral", "happy", "sad", "angry", "afraid", "disgusted", "surprised"]);
 const CHOICES = /** @type {const} */ ([["", "Default"], ["terms", "All evidence"], ["priority", "Priority only"]]);
 const MODES = /** @type {const} */ ([["semantic", "Meaning"], ["prosody", "Stress"], ["random", "Chance"]]);
@@ -28,7 +28,7 @@ const MODES = /** @type {const} */ ([["semantic", "Meaning"], ["prosody", "Stres
  * @param {Service} service
  */
 export function mountProject(element, store, service) {
-  element.append(title(store), words(store), state(store), options(store, service));
+  element.append(title(store), words(store), lineState(store), options(store, service));
 }
 
 /** What is open, and the way to something else. @param {Store} store */
@@ -105,9 +105,29 @@ function chosenOptions(store) {
   const tones = TONES.map((tone) => /** @type {const} */ ([tone, plain(tone)]));
   const of = (/** @type {readonly (readonly [string, string])[]} */ values, /** @type {keyof PerformOptions} */ name) =>
     choice(values, "", (value) => setOption(store, name, value || undefined));
-  const affect = of([["", "As heard"], ...tones], "affect");
-  affect.id = "feeling";
-  return { agitation: of(LEVELS, "agitation"), affect, choice: of(CHOICES, "choice"), mode: of(MODES, "mode") };
+  const affect = of([["", AS_HEARD], ...tones], "affect");
+  const agitation = of([["", AS_HEARD], ...AGITATION], "agitation");
+  [affect.id, agitation.id] = ["feeling", "agitation"];
+  agitation.title = "How excited the voice is: a calm one moves little, an agitated one often, wide and fast";
+  tellWhatIsHeard(store, agitation);
+  return { agitation, affect, choice: of(CHOICES, "choice"), mode: of(MODES, "mode") };
+}
+
+/**
+ * Where nothing else is chosen, the field says what was heard.
+ *
+ * @param {Store} store
+ * @param {HTMLSelectElement} agitation
+ */
+function tellWhatIsHeard(store, agitation) {
+  store.watch(PERFORMED, (line) => {
+    const isHeard = !store.get(PROJECT).options.agitation;
+    const heard = isHeard && AGITATION.find(([level]) => level === line?.performance.agitation)?.[1].toLowerCase();
+    const [first] = agitation.options;
+    if (first) {
+      first.text = heard ? `Heard: ${heard}` : AS_HEARD;
+    }
+  });
 }
 
 /**
@@ -138,46 +158,6 @@ async function fillCharacters(select, store, service) {
   } catch (error) {
     store.set(PROBLEM, problemOf(error));
   }
-}
-
-/** @param {Store} store */
-function state(store) {
-  const told = el("p", { id: "state", role: "status" });
-  const tell = () => {
-    const line = store.get(PERFORMED);
-    const done = lacking(store.get(PROJECT)) ?? (line ? summary(line.performance) : "");
-    told.replaceChildren(store.get(BUSY) ? "Performing…" : done);
-  };
-  for (const of of [BUSY, PERFORMED, PROJECT]) {
-    store.watch(/** @type {typeof BUSY} */ (of), tell);
-  }
-  return told;
-}
-
-/**
- * What a line still needs to be performed; null where it has all.
- *
- * @param {Project} project
- */
-function lacking({ audio, text }) {
-  if (!audio) {
-    return "Drop a recording on the page and type its words.";
-  }
-  if (text.trim()) {
-    return null;
-  }
-  return isRecorded(audio) ? `Type the words that are spoken in ${audio.name}.` : "Type the words of the line.";
-}
-
-/**
- * What was performed, and what was guessed or left out.
- *
- * @param {Performance} performance
- */
-function summary({ audio, agitation, behaviors, warnings }) {
-  const kept = behaviors.filter((each) => each.kept).length;
-  const done = `${audio.duration_s.toFixed(2)} s · ${agitation} agitation · ${String(kept)} movements`;
-  return [done, ...warnings.map(({ message }) => message)].join(" — ");
 }
 
 /**

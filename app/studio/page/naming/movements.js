@@ -54,6 +54,9 @@ export function channelName(channel) {
   return CHANNELS[channel] ?? plain(channel);
 }
 
+/** How agitated a voice or a gesture is, by the names of the service. @type {readonly (readonly [level: string, name: string])[]} */
+export const AGITATION = Object.freeze([["low", "Calm"], ["medium", "Lively"], ["high", "Agitated"]]);
+
 /** @param {string | null | undefined} hand */
 export function handName(hand) {
   return hand ? (HANDS[hand] ?? hand) : "";

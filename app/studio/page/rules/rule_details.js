@@ -10,9 +10,12 @@ import { toldChanges } from "./telling_changes.js";
 
 const MOST_NAMED = 30;
 
+/** How what is gone, new or other than before looks. */
+const KINDS = Object.freeze({ "−": "gone", "+": "new", "~": "other" });
+
 /** @param {Store} store */
 export function ruleDetails(store) {
-  const hint = el("p", { class: "quiet" }, ["What a rule comes from, what it leads to, and what your changes do to other lines is shown here."]);
+  const hint = el("p", { class: "quiet" }, ["Here you read what a rule comes from, what it leads to, and what your changes do to other lines."]);
   const explained = el("div", { id: "rule-explained" });
   const compared = el("div", { id: "rules-compared", role: "status" });
   store.watch(EXPLAINED, (found) => explained.replaceChildren(...(found ? explanations(store, found) : [hint])));
@@ -53,11 +56,11 @@ function related(store, title, items) {
 
 /** @param {RuleComparison} compared */
 function comparison({ lines, changes }) {
-  const title = `${String(changes.length)} of ${String(lines)} lines change`;
+  const title = changes.length === 0 ? `None of ${String(lines)} example lines changes` : `${String(changes.length)} of ${String(lines)} example lines change${changes.length > 1 ? "" : "s"}`;
   return [
     el("h2", {}, [title]),
     ...changes.map((change) => {
-      const told = toldChanges(change).map(({ sign, text }) => el("li", { class: sign === "+" ? "new" : "gone" }, [`${sign} ${text}`]));
+      const told = toldChanges(change).map(({ sign, text, technical }) => el("li", { class: KINDS[sign], title: technical }, [`${sign} ${text}`]));
       return el("article", { class: "changed-line" }, [el("h3", {}, [change.text]), el("ul", {}, told)]);
     }),
   ];

@@ -4,8 +4,10 @@ import { choice, el, labelled } from "../dom.js";
 import { plain } from "../naming/movements.js";
 import { slice } from "../state/slice.js";
 import { groupsOf, matching, MOST_SHOWN } from "./choosing_rules.js";
+import { newCharacter } from "./new_character.js";
 import { CHOSEN, ITEMS } from "./rule_book.js";
 
+/** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
 /** @import { Item } from "./rule_book.js" */
 
@@ -13,8 +15,11 @@ const KINDS = /** @type {const} */ ([["", "Everything"], ["function", "What a li
 
 const FILTER = slice({ text: "", kind: "" });
 
-/** @param {Store} store */
-export function ruleList(store) {
+/**
+ * @param {Store} store
+ * @param {Service} service
+ */
+export function ruleList(store, service) {
   const typed = el("input", { id: "rule-filter", type: "search", autocomplete: "off", spellcheck: false, placeholder: "negation, yes, point…" });
   typed.addEventListener("input", () => store.patch(FILTER, { text: typed.value }));
   const kind = choice(KINDS, "", (value) => store.patch(FILTER, { kind: value }));
@@ -31,7 +36,7 @@ export function ruleList(store) {
     store.watch(/** @type {typeof FILTER} */ (of), show);
   }
   const filter = el("div", { class: "row" }, [labelled("Search", typed), labelled("Kind", kind)]);
-  return el("section", { class: "rule-browser", "aria-label": "Rule browser" }, [filter, count, list]);
+  return el("section", { class: "rule-browser", "aria-label": "Rule browser" }, [filter, newCharacter(store, service), count, list]);
 }
 
 /**
@@ -42,7 +47,7 @@ export function ruleList(store) {
  */
 function group(store, { name, items }) {
   const list = el("ul", {});
-  const fold = el("details", { class: "part" }, [el("summary", {}, [`${plain(name)} `, el("span", { class: "quiet" }, [String(items.length)])]), list]);
+  const fold = el("details", { class: "part" }, [el("summary", {}, [el("span", {}, [plain(name)]), el("span", { class: "quiet" }, [String(items.length)])]), list]);
   fold.addEventListener("toggle", () => list.childElementCount === 0 && list.append(...items.map((item) => entry(store, item))));
   return el("li", {}, [fold]);
 }

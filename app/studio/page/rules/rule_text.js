@@ -19,7 +19,7 @@ const QUIET_MS = 400;
  * @param {Service} service
  */
 export function ruleText(store, service) {
-  const title = el("h2", { id: "rule-file" }, ["No rule chosen"]);
+  const title = el("h2", { id: "rule-file" }, ["Choose a rule or a word"]);
   const typed = el("textarea", { id: "rule-text", spellcheck: false, wrap: "off", "aria-labelledby": "rule-file", disabled: true });
   const mistakes = el("ul", { id: "rule-mistakes", class: "mistakes" });
   store.watch(CHOSEN, (item) => {
@@ -52,7 +52,7 @@ function beginnings(store) {
   const show = () => {
     const used = rulesOf(store.get(PERFORMED)?.performance);
     const found = used.flatMap((name) => store.get(ITEMS).find((item) => item.name === name) ?? []);
-    hint.textContent = found.length > 0 ? "Choose from the list on the left, or a rule that this line uses:" : "Choose from the list on the left, or search for a word, a meaning or a movement.";
+    hint.textContent = found.length > 0 ? "Its file is edited here. The open line uses these:" : "Search on the left for a word, a meaning or a movement. Its file is edited here.";
     list.replaceChildren(...found.map((item) => el("li", {}, [el("button", { type: "button", title: item.name, click: () => store.set(CHOSEN, item) }, [plain(item.name)])])));
   };
   store.watch(ITEMS, show);
@@ -81,7 +81,8 @@ async function show(store, service, { title, typed }) {
   }
   const { file, line } = item;
   const isEditable = [...store.get(FILES).files, ...store.get(OTHERS).files].includes(file);
-  title.replaceChildren(`${file}:${String(line)}${isEditable ? "" : " (not edited here)"}`);
+  const place = `${file}:${String(line)}${isEditable ? "" : " (not edited here)"}`;
+  title.replaceChildren(plain(item.name), el("span", { class: "place" }, [place]));
   if (!isEditable) {
     typed.value = "";
     typed.disabled = true;

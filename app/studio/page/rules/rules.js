@@ -22,7 +22,7 @@ export function mountRules(element, store, service) {
   store.watch(VIEW, (view) => {
     if (view === "rules" && !isMounted) {
       isMounted = true;
-      element.append(ruleList(store), ruleText(store, service), ruleDetails(store));
+      element.append(ruleList(store, service), ruleText(store, service), ruleDetails(store));
     }
     if (view === "rules" && store.get(ITEMS).length === 0) {
       void loadBook(store, service);

@@ -13,7 +13,7 @@ import { CHOSEN, COMPARED, DRAFTS, FILES, MISTAKES, pathOf, posted, ruleDrafts, 
 
 const HINTS = Object.freeze({
   "rules-run": "Performs the line that is open by these rules",
-  "rules-compare": "What your changes do to an example of every group of words, and to this line",
+  "rules-compare": "What your changes do to this line, and to an example line of every rule",
   "rules-back": "Discards your changes to this file",
   "rules-save": "Saves the file into the author's folder",
 });
@@ -29,9 +29,10 @@ export function actions(store, service) {
   const button = (/** @type {keyof typeof HINTS} */ id, /** @type {string} */ text, /** @type {() => void} */ click) =>
     el("button", { type: "button", id, class: id === "rules-run" ? "primary" : "", title: HINTS[id], click }, [text]);
   const run = button("rules-run", "Perform the line", () => perform(store));
-  const compare = button("rules-compare", "Compare examples", () => void compareAll(store, service));
+  const compare = button("rules-compare", "See what changes", () => void compareAll(store, service));
   const back = button("rules-back", "Discard changes", () => takeBack(store));
   const save = button("rules-save", "Save", () => void keep(store, service));
+  const bar = el("div", { class: "row", role: "toolbar", "aria-label": "Try the rules" }, [run, compare, back, save]);
   const show = () => {
     const drafts = store.get(DRAFTS);
     const isWrong = store.get(MISTAKES).length > 0;
@@ -41,11 +42,12 @@ export function actions(store, service) {
     back.disabled = !(file in drafts);
     save.hidden = !store.get(FILES).writable;
     save.disabled = isWrong || !(file in drafts);
+    bar.hidden = file === "" && Object.keys(drafts).length === 0;
   };
   for (const of of [DRAFTS, MISTAKES, CHOSEN, FILES]) {
     store.watch(/** @type {typeof FILES} */ (of), show);
   }
-  return el("div", { class: "row", role: "toolbar", "aria-label": "Try the rules" }, [run, compare, back, save]);
+  return bar;
 }
 
 /**

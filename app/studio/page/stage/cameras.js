@@ -10,11 +10,11 @@ import { framed } from "./framing.js";
 
 /** Shots with the names that people read. @type {readonly (readonly [Shot, string])[]} */
 export const SHOTS = Object.freeze([
-  ["wide", "Wide shot"],
-  ["medium", "Medium shot"],
+  ["wide", "Wide"],
+  ["medium", "Medium"],
   ["close", "Close-up"],
   ["two_shot", "Two-shot"],
-  ["over_shoulder", "Over the shoulder"],
+  ["over_shoulder", "Over shoulder"],
 ]);
 
 /** Where a listener stands if the line does not say: metres. @type {Vector} */

@@ -26,7 +26,7 @@ export class NameTags {
       const { x, y } = place.setY(place.y + ABOVE_M).project(camera);
       const tag = el("span", { class: edited ? "name-tag edited" : "name-tag" }, [name]);
       tag.style.left = `${String(50 + 50 * x)}%`;
-      tag.style.top = `${String(Math.max(6, 50 - 50 * y))}%`;
+      tag.style.top = `max(var(--control), ${String(50 - 50 * y)}%)`;
       return [tag];
     });
     this.element.replaceChildren(...tags);

@@ -72,6 +72,7 @@ function choices(store) {
   const drawn = [drawing(store, "trail", "Wrist paths"), drawing(store, "onion", "Onion skin"), drawing(store, "safe", "Safe frame"), labelled("Speed", speed)];
   const menu = el("details", { class: "menu" }, [el("summary", {}, ["View"]), el("div", { class: "floating" }, drawn)]);
   document.addEventListener("pointerdown", ({ target }) => target instanceof Node && !menu.contains(target) && (menu.open = false));
+  menu.addEventListener("keydown", ({ key }) => key === "Escape" && (menu.open = false));
   return [labelled("Camera", shot), labelled("Listener", listening), menu];
 }
 

@@ -22,7 +22,7 @@ import { viewOf } from "./shots.js";
 /** @type {readonly (readonly [Camera, string])[]} */
 export const CAMERAS = Object.freeze([
   ["automatic", "Automatic cuts"],
-  ["wide", "Wide shot"],
+  ["wide", "Everybody"],
   ["medium", "Whoever speaks"],
   ["close", "Whoever speaks, close"],
   ["two_shot", "Two-shot"],

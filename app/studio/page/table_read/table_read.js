@@ -3,7 +3,7 @@
  * wrote. Nothing of it leaves the page but the names of the characters, whose bodies the service makes.
  */
 
-import { el, fileButton } from "../dom.js";
+import { el } from "../dom.js";
 import { open as openLine } from "../line/opening.js";
 import { Bodies } from "../stage/bodies.js";
 import { makePlace } from "../stage/scene.js";
@@ -12,7 +12,8 @@ import { PROBLEM } from "../state/performed.js";
 import { problemOf } from "../service/service.js";
 import { VIEW } from "../frame/views.js";
 import { Reading } from "./reading.js";
-import { droppedFiles, openedFiles, sceneFiles } from "./scene_files.js";
+import { chooser } from "./chooser.js";
+import { droppedFiles, openedFiles } from "./scene_files.js";
 import { Script } from "./script.js";
 import { transport } from "./transport.js";
 
@@ -131,18 +132,6 @@ function keepDrawn(place, isSeen, show) {
     requestAnimationFrame(draw);
   };
   requestAnimationFrame(draw);
-}
-
-/** @param {(files: Promise<SceneFiles>) => void} open */
-function chooser(open) {
-  const take = (/** @type {File[]} */ files) => open(sceneFiles(files));
-  const folder = fileButton("Choose the folder…", { id: "scene-folder", webkitdirectory: true, class: "primary" }, take);
-  const zip = fileButton("Choose a zip of it…", { id: "scene-zip", accept: ".zip" }, take);
-  return el("section", { class: "chooser drop", "aria-label": "Open a scene" }, [
-    el("strong", {}, ["Drop the folder of a performed scene here"]),
-    el("div", { class: "row" }, [folder, zip]),
-    el("p", { class: "quiet" }, ["It is made by ", el("code", {}, ["understudy batch scene.csv --audio recordings --out scene --format clip.json --format wav"])]),
-  ]);
 }
 
 /**

@@ -38,7 +38,7 @@ export function anotherTake(store) {
   const before = keepTake(store);
   const { options } = store.get(PROJECT);
   const seed = nextSeed([options.seed, ...store.get(TAKES).map(({ draft }) => draft.options.seed)]);
-  store.history.execute(new ChangeProject(store, "Another take", { options: { ...options, seed } }));
+  store.history.execute(new ChangeProject(store, "New take", { options: { ...options, seed } }));
   return before;
 }
 

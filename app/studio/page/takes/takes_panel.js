@@ -1,6 +1,7 @@
 /** The panel of takes: another one, those that are kept, which of them stands beside the line, and what differs. */
 
 import { choice, el, labelled } from "../dom.js";
+import { icon } from "../icons.js";
 import { movementName } from "../naming/movements.js";
 import { redraw } from "../redrawing.js";
 import { draftOf, PROJECT } from "../state/project.js";
@@ -20,14 +21,16 @@ import { anotherTake, forgetTake, keepTake, takeOf, TAKES, useTake } from "./tak
  * @param {Service} service
  */
 export function mountTakes(element, store, service) {
-  const another = el("button", { type: "button", id: "another-take", title: "Keeps this take and performs the line by another seed" }, ["Another take"]);
-  const keep = el("button", { type: "button", id: "keep-version" }, ["Keep this take"]);
+  const another = el("button", { type: "button", id: "another-take", title: "Keeps the line as it is, and performs it once more in another way" }, [icon("add"), "New take"]);
+  const keep = el("button", { type: "button", id: "keep-version", title: "Keeps the line as it is, while you go on with it" }, ["Keep as it is"]);
   another.addEventListener("click", () => store.set(COMPARED, anotherTake(store).id));
   keep.addEventListener("click", () => store.set(COMPARED, keepTake(store).id));
+  const hint = el("p", { class: "quiet" }, ["A take is the line as it is performed now. A new one keeps it and tries another way; both stand side by side, and you go on with the one you like."]);
   const list = el("ul", { class: "takes", "aria-label": "Takes" });
+  store.watch(TAKES, (takes) => (hint.hidden = takes.length > 0));
   const told = el("p", { class: "quiet", id: "compared", role: "status" });
   const found = el("ul", { class: "differences" });
-  element.append(el("h2", {}, ["Takes"]), el("div", { class: "row" }, [another, keep]), list, comparedWith(store), told, found);
+  element.append(el("h2", {}, ["Takes"]), hint, el("div", { class: "row" }, [another, keep]), list, comparedWith(store), told, found);
   for (const of of [TAKES, PROJECT, COMPARED]) {
     store.watch(/** @type {typeof COMPARED} */ (of), () => redraw(list, store.get(TAKES).map((take) => entry(store, take))));
   }
@@ -47,7 +50,7 @@ function comparedWith(store) {
     const takes = store.get(TAKES).map(({ id, name }) => /** @type {const} */ ([id, name]));
     const other = choice([...VERSIONS, ...takes], store.get(COMPARED), (version) => store.set(COMPARED, version));
     other.id = "compare-with";
-    redraw(element, [labelled("Beside this line on the stage", other)]);
+    redraw(element, [labelled("Compare this line with", other)]);
   };
   for (const of of [TAKES, COMPARED]) {
     store.watch(/** @type {typeof COMPARED} */ (of), show);
@@ -64,11 +67,11 @@ function entry(store, take) {
   const isBeside = store.get(COMPARED) === take.id;
   const { options, edits } = take.draft;
   const changes = /** @type {Edits | null} */ (edits)?.behaviors?.length ?? 0;
-  const told = [`seed ${String(options.seed ?? 0)}`, changes ? `${String(changes)} edits` : "", isNow ? "edited now" : ""].filter(Boolean).join(", ");
+  const told = [changes ? `${String(changes)} ${changes > 1 ? "edits" : "edit"}` : "", isNow ? "edited now" : ""].filter(Boolean).join(", ");
   const button = (/** @type {string} */ text, /** @type {() => void} */ click, /** @type {Record<string, string | boolean>} */ attributes = {}) =>
     el("button", { type: "button", click, ...attributes }, [text]);
   return el("li", {}, [
-    el("span", {}, [el("b", {}, [take.name]), ` ${told}`]),
+    el("span", { title: `seed ${String(options.seed ?? 0)}` }, [el("b", {}, [take.name]), ` ${told}`]),
     button("Edit", () => useTake(store, take), { disabled: isNow, "aria-label": `Edit ${take.name}` }),
     button("Compare", () => store.set(COMPARED, isBeside ? "none" : take.id), { "aria-pressed": String(isBeside), "aria-label": `Compare with ${take.name}` }),
     button("✕", () => forgetTake(store, take), { class: "quiet square", "aria-label": `Forget ${take.name}` }),

@@ -44,7 +44,7 @@ const LEAST_PX = 3;
  *
  * @param {HTMLCanvasElement} canvas
  * @param {Store} store
- * @param {{ axis: () => Axis | null, hit: (x: number, y: number) => Hit }} drawn
+ * @param {{ axis: () => Axis | null, hit: (event: PointerEvent) => Hit }} drawn
  */
 export function followPointer(canvas, store, { axis, hit }) {
   /** @type {Held | null} */
@@ -54,14 +54,14 @@ export function followPointer(canvas, store, { axis, hit }) {
     snappedTime_s(store, now, time_s(event), event.altKey ? null : axis());
   canvas.addEventListener("pointerdown", (event) => {
     canvas.setPointerCapture(event.pointerId);
-    held = begun(store, event, { hit: hit(event.offsetX, event.offsetY), from_s: time_s(event) });
+    held = begun(store, event, { hit: hit(event), from_s: time_s(event) });
   });
   canvas.addEventListener("pointermove", (event) => {
     if (held) {
       held.far ||= Math.abs(event.offsetX - held.x) > LEAST_PX;
       drag(store, held, to_s(event, held), false);
     } else {
-      hover(canvas, hit(event.offsetX, event.offsetY));
+      hover(canvas, hit(event));
     }
   });
   canvas.addEventListener("pointerup", (event) => {

@@ -4,7 +4,7 @@ import { PERFORMED, PLAYBACK, SELECTION, TIME_S } from "../state/performed.js";
 import { Axis, scrolled, STRETCH, within, zoomed } from "./axis.js";
 import { draw } from "./drawing.js";
 import { Gutter } from "./gutter.js";
-import { heightOf, hitAt, LABELS_PX, placed } from "./layout.js";
+import { FINGER_LANE_PX, FINGER_NEAR_PX, heightOf, hitAt, LABELS_PX, placed } from "./layout.js";
 import { LOOKS } from "./looks.js";
 import { paletteOf } from "./palette.js";
 import { BADGES, followPointer, SNAP_S } from "./pointing.js";
@@ -48,7 +48,7 @@ export class Timeline {
       store.watch(/** @type {typeof SELECTION} */ (of), () => this.draw());
     }
     store.watch(TIME_S, () => this.#movePlayhead());
-    followPointer(canvas, store, { axis: () => this.#axis, hit: (x, y) => this.#hit(x, y) });
+    followPointer(canvas, store, { axis: () => this.#axis, hit: (event) => this.#hit(event) });
     canvas.addEventListener("wheel", (event) => this.#onWheel(event), { passive: false });
   }
 
@@ -57,7 +57,7 @@ export class Timeline {
     const line = this.#store.get(PERFORMED);
     const looks = this.#store.get(LOOKS);
     const rows = line ? rowsOf(line.performance, { alternatives: looks.alternatives, others: this.#store.get(OTHERS) }) : [];
-    this.#rows = placed(rows, looks);
+    this.#rows = placed(rows, looks, matchMedia("(pointer: coarse)").matches ? FINGER_LANE_PX : 0);
     this.gutter.show(this.#rows);
     this.#playhead.style.height = `${String(heightOf(this.#rows))}px`;
     const ends_s = rows.flatMap(({ items }) => items.map(({ end_s }) => end_s));
@@ -127,12 +127,10 @@ export class Timeline {
     return within(this.#store.get(STRETCH) ?? { start_s: 0, length_s: Infinity }, this.#whole_s);
   }
 
-  /**
-   * @param {number} x
-   * @param {number} y
-   */
-  #hit(x, y) {
-    return this.#axis ? hitAt(this.#rows, this.#axis, x, y) : { row: "", item: null, mark: null };
+  /** @param {PointerEvent} event */
+  #hit({ offsetX, offsetY, pointerType }) {
+    const near_px = pointerType === "touch" ? FINGER_NEAR_PX : undefined;
+    return this.#axis ? hitAt(this.#rows, this.#axis, offsetX, offsetY, near_px) : { row: "", item: null, mark: null };
   }
 
   /** @param {WheelEvent} event */
