@@ -12,6 +12,7 @@ import pytest
 import soundfile
 from playwright.sync_api import Page
 
+from tests.studio.support.tasks import FILM_PATIENCE_MS
 from tests.support.python_page import ROOT
 from understudy.cli.main import main
 
@@ -65,7 +66,7 @@ def _saved(page: Page, ending: str) -> bytes:
 
 def _made(page: Page, button: str) -> bytes:
     page.click("#tab-exports")
-    with page.expect_download() as download:
+    with page.expect_download(timeout=FILM_PATIENCE_MS) as download:
         page.click(f"#exports button:has-text('{button}')")
     return Path(download.value.path()).read_bytes()
 

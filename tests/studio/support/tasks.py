@@ -18,6 +18,8 @@ from tests.studio.support.waiting import wait_until
 from understudy.files import resource_folder
 
 WEBM = b"\x1a\x45\xdf\xa3"
+FILM_PATIENCE_MS = 300_000
+"""Every frame is drawn, by a processor in place of a graphics card: a busy machine takes long."""
 PLAYED_S = "Number(document.querySelector('#stage-canvas').dataset.time)"
 
 
@@ -138,7 +140,7 @@ def film(desk: Desk) -> None:
     _ready(page)
     page.click("#tab-exports")
     desk.look("exports")
-    with page.expect_download() as saved:
+    with page.expect_download(timeout=FILM_PATIENCE_MS) as saved:
         page.click("#exports button:has-text('Film')")
     assert Path(saved.value.path()).read_bytes().startswith(WEBM)
     desk.look("filmed")

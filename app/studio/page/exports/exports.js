@@ -1,7 +1,7 @@
 /** Takes a line away: as files that the service writes, as pictures of the stage, as a project to go on with. */
 
 import { fileButtons } from "../changes/edit_files.js";
-import { choice, el, labelled } from "../dom.js";
+import { choice, el } from "../dom.js";
 import { problemOf } from "../service/service.js";
 import { AVATAR, PERFORMED, PROBLEM } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
@@ -51,11 +51,12 @@ function formatRow(store, service, told) {
   const names = [...FORMATS].map(([ending, { name }]) => /** @type {const} */ ([ending, `${name} (${ending})`]));
   const format = choice(names, ".bml", () => undefined);
   format.id = "format";
+  format.ariaLabel = "Format";
   const click = () => {
     const write = FORMATS.get(format.value)?.write;
     void offer(store, told, format.value, (exported) => write?.(service, exported));
   };
-  return el("div", { class: "row" }, [labelled("Format", format), el("button", { type: "button", id: "export", click }, ["Save file"])]);
+  return el("div", { class: "row" }, [format, el("button", { type: "button", id: "export", click }, ["Save file"])]);
 }
 
 /**
