@@ -5,10 +5,10 @@ does no more than its schedule asks: every amount is 0.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields
 from math import inf
 from pathlib import Path
-from typing import Annotated, ClassVar, TypeAlias
+from typing import Annotated, ClassVar, Literal, TypeAlias
 
 from pydantic import AfterValidator, ConfigDict, Field
 
@@ -26,6 +26,8 @@ Share: TypeAlias = Annotated[float, Field(ge=0, le=1)]
 Seconds: TypeAlias = Annotated[float, Field(ge=0, le=5)]
 Degrees: TypeAlias = Annotated[float, Field(ge=0, le=20)]
 Reach: TypeAlias = Annotated[float, Field(ge=0, le=0.6)]
+Aside: TypeAlias = Annotated[float, Field(ge=-0.15, le=0.15)]
+OpenHand: TypeAlias = Literal["form_default", "form_flat", "form_spread"]
 Bend: TypeAlias = Annotated[float, Field(ge=0, le=60)]
 Lift: TypeAlias = Annotated[float, Field(ge=-0.2, le=0.2)]
 Metres: TypeAlias = Annotated[float, Field(ge=0, le=0.4)]
@@ -174,6 +176,25 @@ class IdleLife:
 
 
 @dataclass(frozen=True, slots=True)
+class LevelVariant:
+    """How the hands of a gesture differ from those of medium agitation: metres outwards, up and away from the body, and
+    the shape of open hands."""
+
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    offset_m: tuple[Aside, Aside, Aside]
+    hand: OpenHand | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class LevelVariants:
+    """The variants of a gesture that is calm, and of one that is agitated."""
+
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    low: LevelVariant
+    high: LevelVariant
+
+
+@dataclass(frozen=True, slots=True)
 class MovementStyle:
     """The whole file. `idle` has what a body does by itself even without one: it is never quite still."""
 
@@ -188,6 +209,7 @@ class MovementStyle:
     waits: Waits = Waits()
     dragging: Dragging = Dragging()
     ends: Ends = Ends()
+    variants: Mapping[str, LevelVariants] = field(default_factory=dict)
 
     @classmethod
     def load(cls, path: Path) -> "MovementStyle":
@@ -208,6 +230,7 @@ class _MovementFile(Entry):
     waits: Waits
     dragging: Dragging
     ends: Ends
+    variants: dict[str, LevelVariants]
 
 
 PLAIN = MovementStyle()

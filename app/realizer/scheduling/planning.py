@@ -17,6 +17,7 @@ import numpy as np
 from ...model import Hand, Schedule, SyncPoints
 from ..body.motion import Decision
 from ..body.movement_style import PLAIN, MovementStyle, Strokes
+from ..dynamics.level_variants import varied
 from ..dynamics.resting_beats import Habits
 from ..dynamics.resting_beats import with_beats as riding
 from ..dynamics.snapping import lifted, snapped, wound_up
@@ -173,7 +174,7 @@ class Draw:
         shown = [showing(each, shown_m) for each in plain]
         others, strokes = [one for one, other in zip(plain, shown, strict=True) if one is not other], self._strokes
         for each in shown:
-            strong = wound_up(lifted(each, strokes), strokes)
+            strong = varied(wound_up(lifted(each, strokes), strokes), self.setting.style.variants)
             others += [each] if strong is not each else []
             yield self._quick(strong)
         yield from map(self._quick, others)

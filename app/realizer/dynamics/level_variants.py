@@ -1,0 +1,38 @@
+"""Gestures that are others when calm or agitated (paper §3.8: each has its own recording for low, medium and high).
+
+Beside scaling, calm hands stay lower and nearer to the body, relaxed; agitated ones go up and out, spread
+(`variants` of lexicon/movement.yaml). What shows a place, a height, a size or points at something stays as it is.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from ...model import Level
+from ..body.movement_style import LevelVariant, LevelVariants
+from ..gestures.gesture import ArmKey, ClipKey, HandForm, HandShape
+from ..gestures.gesture_plan import PlacedGesture
+
+_OPEN = frozenset({HandForm.DEFAULT, HandForm.FLAT, HandForm.SPREAD})
+
+
+def varied(placed: PlacedGesture, variants: Mapping[str, LevelVariants]) -> PlacedGesture:
+    """The gesture as it is at its level of agitation."""
+    clip = placed.clip
+    found = variants.get(clip.category)
+    if found is None or clip.level is Level.MEDIUM or placed.request.slots or clip.aimed:
+        return placed
+    variant = found.low if clip.level is Level.LOW else found.high
+    return replace(placed, clip=replace(clip, keys=tuple(_varied_key(key, variant) for key in clip.keys)))
+
+
+def _varied_key(key: ClipKey, variant: LevelVariant) -> ClipKey:
+    return replace(key, left=_varied_arm(key.left, variant), right=_varied_arm(key.right, variant))
+
+
+def _varied_arm(arm: ArmKey | None, variant: LevelVariant) -> ArmKey | None:
+    if arm is not None and arm.place is not None:
+        out, up, away = (own + more for own, more in zip(arm.place.offset_m, variant.offset_m, strict=True))
+        arm = replace(arm, place=replace(arm.place, offset_m=(out, up, away)))
+    if arm is not None and arm.hand is not None and variant.hand and arm.hand.form in _OPEN and not arm.fingers:
+        arm = replace(arm, hand=HandShape(HandForm(variant.hand)))
+    return arm
