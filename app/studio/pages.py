@@ -96,6 +96,21 @@ def page_router(opened: OpenedLine | OpenedScene | None = None) -> APIRouter:
         policy = {"Content-Security-Policy": content_policy(page.content)}
         return _sent(request, page, ".html", {**_REVALIDATED, **policy})
 
+    @router.get("/studio/{path:path}")
+    def get_file(path: str, request: Request) -> Response:
+        """What the page loads. Raises HTTPException 404."""
+        version = _VERSION.match(path)
+        file = _file_at(path[version.end() :] if version else path)
+        is_kept = version is not None and version[0] in named
+        return _sent(request, _asset_at(file), file.suffix, _KEPT if is_kept else _REVALIDATED)
+
+    _add_opened(router, opened)
+    return router
+
+
+def _add_opened(router: APIRouter, opened: OpenedLine | OpenedScene | None) -> None:
+    """The paths of what the page was opened with."""
+
     @router.get("/opened/line")
     def get_opened_line() -> dict[str, str]:
         """What the line is that the page was opened with. Raises HTTPException 404."""
@@ -114,16 +129,6 @@ def page_router(opened: OpenedLine | OpenedScene | None = None) -> APIRouter:
         if file is None:
             raise HTTPException(404)
         return FileResponse(file)
-
-    @router.get("/studio/{path:path}")
-    def get_file(path: str, request: Request) -> Response:
-        """What the page loads. Raises HTTPException 404."""
-        version = _VERSION.match(path)
-        file = _file_at(path[version.end() :] if version else path)
-        is_kept = version is not None and version[0] in named
-        return _sent(request, _asset_at(file), file.suffix, _KEPT if is_kept else _REVALIDATED)
-
-    return router
 
 
 def _version() -> str:
