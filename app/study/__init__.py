@@ -1,6 +1,5 @@
-"""The papers' user studies on one's own lines: clips and a blind page (`understudy study make`), and the statistics of
-the answers (`understudy study score`).
+"""Repeats the papers' user studies with one's own lines: makes clips and a blind page (`understudy study make`), and
+computes the statistics of the answers (`understudy study score`).
 
-Two comparisons are known (`understudy.study.comparison`): the modes of the main paper (§5), and units against single
-gestures (NGS §4.1). docs/studies.md says how to run one.
+The comparisons are listed in `understudy.study.comparison`; docs/studies.md describes how to run a study.
 """

@@ -1,8 +1,8 @@
 """The comparisons of the papers' studies, and the questions that raters answer.
 
-The main paper compares modes (§5), NGS units with singletons (§4.1) and speakers with each other (§3.5), RTS ways to
-drive motion by a voice (§3.2); AHG announces a test of the affect in the voice (§5). The key of a study says what each
-clip shows; it stays with the experimenter, hidden from raters.
+The main paper compares modes (§5). NGS compares units with singletons (§4.1) and speakers with each other (§3.5). RTS
+compares ways to drive motion by a voice (§3.2). AHG announces a test of the affect in the voice (§5). The key of a
+study names the line and the condition of each clip; it stays with the experimenter, hidden from raters.
 """
 
 from collections.abc import Mapping
@@ -13,7 +13,7 @@ from types import MappingProxyType
 from ..model import Mode
 
 UNITS, SINGLETONS = "U", "S"
-"""Gestures joined to units, and each gesture back at rest before the next."""
+"""The conditions of `Comparison.UNITS`: gestures joined to units, and gestures with a rest after each."""
 
 
 class Comparison(StrEnum):
@@ -41,16 +41,18 @@ CONDITIONS: Mapping[Comparison, tuple[str, ...]] = MappingProxyType(
         Comparison.SPEAKERS: (),
     }
 )
-"""The clips of a line, in the order of the papers' tables; speakers have the names of their profiles."""
+"""The conditions of each comparison, in the order of the papers' tables. The conditions of `Comparison.SPEAKERS` are
+the names of the profiles."""
 
 PAIRED = frozenset({Comparison.WAYS, Comparison.AFFECT})
-"""Comparisons in which raters say which of two clips they prefer, if any, and by how much."""
+"""Comparisons by pairs of clips: raters choose the better clip, or neither, and say by how much it is better."""
 
 MUCH = 2
-"""Much better on the scale of preferences: from -2, the first much better, to 2, the second (RTS §3.2)."""
+"""The end of the preference scale, which runs from -2 (the first clip is much better) to 2 (the second is) (RTS
+§3.2)."""
 
 LOWEST, HIGHEST = 1, 10
-"""The grades of the form: not at all appropriate, very appropriate (§5)."""
+"""The ends of the rating scale: not at all appropriate, very appropriate (§5)."""
 
 NATURAL = "natural"
 
@@ -60,7 +62,7 @@ DIMENSIONS = (NATURAL, "friendly", "nervous", "extroverted", "competent", "trust
 UNDECIDED = "undecided"
 
 UNDERSTOOD = "understood"
-"""Beside the dimensions: how much of the speech was understood, from 1 (nothing) to 3 (all)."""
+"""The additional question: how much of the speech was understood, from 1 (nothing) to 3 (all)."""
 
 MOST_UNDERSTOOD = 3
 
@@ -79,11 +81,11 @@ KEY_COLUMNS = ("clip", "line", "condition")
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """What a clip shows: a line in a condition."""
+    """The content of a clip: a line in a condition."""
 
     line: str
     condition: str
 
 
 Key = Mapping[str, Shown]
-"""What clips show, by name."""
+"""The content of each clip by the clip's name."""

@@ -1,2 +1,2 @@
-"""From lines to a blind page: `lines` are read and performed in every condition (`singletons` has NGS's two versions,
-`by_model` those of a motion model), `site` writes clips and page; `making` is all of it."""
+"""Makes a study from lines: `lines` reads them, `singletons` and `by_model` perform them in each condition, `site`
+writes clips and page; `making` runs all of it."""

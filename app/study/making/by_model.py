@@ -1,8 +1,11 @@
-"""A line's motions by a motion model: in the thesis' three ways from a voice to motion (RTS §3.2), or driven by voice
-and affect, the voice alone, affect alone (AHG §3), of which AHG §5 announces a test by raters; and by the profiles of
-speakers (NGS §3.5).
+"""A line's motions in three comparisons.
 
-Head, eyes, face and legs are the same in all of a line's motions, but for what the model has learnt.
+- ways: a motion model driven in the three ways of the thesis (RTS §3.2);
+- affect: a motion model driven by voice and affect, by the voice alone, or by affect alone (AHG §3; AHG §5 announces a
+  test by raters);
+- speakers: gestures by the profiles of speakers (NGS §3.5).
+
+Head, eyes, face and legs are the same in all motions of a line, except for those parts that the model has learnt.
 """
 
 from collections.abc import Mapping
@@ -25,12 +28,12 @@ from .site import FRAME_RATE_HZ, TAIL_S, realized
 
 WHOLE = "RTS"
 DRIVEN_BY: Mapping[str, str] = {BOTH: "S1", PROSODY: "S3", AFFECT: "S5"}
-"""The scenarios of AHG Table 1 whose units are chosen by affect too."""
+"""The scenario of AHG Table 1 for each condition of `Comparison.AFFECT`."""
 
 
 def in_ways(models: Understudy, model: MotionModel, line: StudyLine, seed: int) -> Mapping[str, RealizedSchedule]:
-    """The line for the whole recording, as it is played live, and by units drawn at random; raises as `perform_line`
-    does."""
+    """The line's motion for the complete recording, for a live one, and with units drawn at random; raises as
+    `perform_line` does."""
     performed = perform_line(models, line.line, line.options)
     prepared, analysis, realizer = PreparedSchedule.of(performed.performance), performed.analysis, models.realizer
     moving = moving_by(model, analysis, None, scenario_named(WHOLE))
@@ -44,7 +47,8 @@ def in_ways(models: Understudy, model: MotionModel, line: StudyLine, seed: int) 
 
 
 def driven_by_affect(models: Understudy, model: MotionModel, line: StudyLine) -> Mapping[str, RealizedSchedule]:
-    """The line driven by voice and affect, by one, by the other; raises as `perform_line` does."""
+    """The line's motion driven by voice and affect, by the voice alone, and by affect alone; raises as `perform_line`
+    does."""
     performed = perform_line(models, line.line, line.options)
     prepared, analysis = PreparedSchedule.of(performed.performance), performed.analysis
     return {
@@ -62,7 +66,7 @@ def driven_by_affect(models: Understudy, model: MotionModel, line: StudyLine) ->
 def by_speakers(
     models: Understudy, speakers: Mapping[str, Profile | str], line: StudyLine
 ) -> Mapping[str, RealizedSchedule]:
-    """The line with the gestures of each speaker; raises as `perform_line` does."""
+    """The line's motion with the gestures of each speaker; raises as `perform_line` does."""
     performances = {
         name: perform_line(models, line.line, replace(line.options, profile=profile)).performance
         for name, profile in speakers.items()

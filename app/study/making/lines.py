@@ -1,5 +1,5 @@
-"""The request for a study, and its lines: a script as `understudy batch` reads it, or a folder of recordings, each with
-its words beside it.
+"""The request for a study, and its lines: from a script in the format of `understudy batch`, or from a folder of
+recordings with a text file beside each.
 """
 
 from __future__ import annotations
@@ -23,13 +23,13 @@ if TYPE_CHECKING:
     from ...profiles.profile import Profile
 
 PAGE_FOLDER = "page"
-"""Under the output folder: what raters get."""
+"""The folder for raters, within the output folder."""
 
 
 @dataclass(frozen=True, slots=True)
 class StudySource:
-    """Where lines are read: a script or a folder, the folder of a script's recordings (None: that it lies in), and
-    where the study is written."""
+    """The paths of a study: a script or a folder of lines, the folder of the script's recordings (None: the script's
+    folder), and the output folder."""
 
     lines: Path
     audio: Path | None
@@ -38,8 +38,8 @@ class StudySource:
 
 @dataclass(frozen=True, slots=True)
 class StudyRequest:
-    """What is compared on which lines, how they are performed, and the seed of codes and orders, which is also that of
-    the performances; the motion model of ways and affect, and the profiles of speakers."""
+    """The request for a study: lines, comparison, and the options of the performances, whose seed is also the seed of
+    codes and orders. Comparisons of ways and affect have a motion model, those of speakers their profiles."""
 
     source: StudySource
     comparison: Comparison
@@ -54,7 +54,7 @@ class StudyRequest:
 
 @dataclass(frozen=True, slots=True)
 class StudyLine:
-    """A line of the study: its name, what is performed, and how."""
+    """A line of the study: its name, the line, and the options of its performance."""
 
     id: str
     line: Line
@@ -62,9 +62,9 @@ class StudyLine:
 
 
 def read_lines(source: StudySource, options: Options) -> tuple[StudyLine, ...]:
-    """The lines in their order, all performed by `options` but for what the script says of single ones.
+    """The lines in order, with `options`; the script may override the options of single lines.
 
-    Raises InputError `study_lines` with every line that cannot be shown, and as `plan_batch` does.
+    Raises InputError `study_lines` with every unusable line, and as `plan_batch` does.
     """
     return tuple(_in_folder(source, options) if source.lines.is_dir() else _in_script(source, options))
 

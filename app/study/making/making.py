@@ -1,8 +1,8 @@
 """A study, in order: read the lines, perform each in every condition, render the clips, write page and key.
 
-A line whose conditions look alike is reported and skipped; if no line differs, the study is refused. Of ways and affect
-raters see a pair of clips a round, as in the thesis (RTS §3.2): each two conditions twice and one clip twice in seven
-rounds. Of speakers the first line is for getting to know them.
+A line whose conditions look alike is reported and skipped; if no line differs, the study is refused. In comparisons of
+ways and of affect each round shows a pair of clips, as in the thesis (RTS §3.2): seven rounds show each pair of
+conditions twice and one pair of identical clips. In a comparison of speakers the first line introduces the speakers.
 """
 
 from __future__ import annotations
@@ -43,20 +43,20 @@ ADVICE: Mapping[Comparison, str] = {
     Comparison.UNITS: "take lines of 11 to 28 s, in which units have several gestures, or another profile or seed",
     Comparison.SPEAKERS: "take longer lines, or profiles that differ more",
 }
-"""What would give a difference, by what is compared."""
+"""Advice for lines without a visible difference, by comparison."""
 
 FEWEST_OF_SPEAKERS = 2
 AGAIN = "again"
-"""What the name of a clip's copy has, in a round of two that are the same."""
+"""Suffix of the name of the second clip in an identical pair."""
 
 Told = Callable[[str, Sequence[Notice]], None]
-"""Is told of each line when its clips are made: its name and what they have, and its notices."""
+"""Called when a line's clips are made, with a message (the line's name and a summary of its clips) and its notices."""
 
 
 @dataclass(frozen=True, slots=True)
 class RenderedLine:
-    """A line's clips by condition, each its motion as JSON, its recording, who moves, and whether the conditions can be
-    told apart."""
+    """A rendered line: its motion (JSON) in each condition, its recording, its character, and whether its conditions
+    differ visibly."""
 
     id: str
     clips: Mapping[str, str]
@@ -75,9 +75,10 @@ class _Motions:
 
 
 def make_study(request: StudyRequest, models: Understudy, told: Told) -> int:
-    """Writes the page, and the key that says what its clips show; how many lines are on it.
+    """Writes the page and the key of its clips; returns the number of rounds.
 
-    Raises InputError where lines cannot be read or performed, none shows a difference, or nothing can be written.
+    Raises InputError if a line cannot be read or performed, if no line shows a difference, or if the files cannot be
+    written.
     """
     every = [_rendered(request, models, line, told) for line in read_lines(request.source, request.options)]
     rendered = [line for line in every if line.differs]
@@ -106,7 +107,7 @@ def make_study(request: StudyRequest, models: Understudy, told: Told) -> int:
 def _rounds(
     request: StudyRequest, rendered: Sequence[RenderedLine], coding: _Coding
 ) -> tuple[tuple[LinePage, ...], Mapping[str, str]]:
-    """What raters see in a round, and the condition of the second clip of identical pairs, by line."""
+    """The rounds of the page, and the condition shown in each identical pair, by line."""
     if request.comparison is Comparison.SPEAKERS:
         return tuple(coding.page_of(each, [*each.clips]) for each in rendered[1:]), {}
     conditions = CONDITIONS[request.comparison]
@@ -182,7 +183,7 @@ def _in_versions(models: Understudy, line: StudyLine) -> _Motions:
 
 
 class _Coding:
-    """Opaque names, the same whenever the same study is made."""
+    """Assigns opaque names, which are the same whenever the same study is made."""
 
     def __init__(self, request: StudyRequest, lines: Sequence[str]) -> None:
         self._of = f"{request.comparison} {request.seed} {' '.join(lines)}"
@@ -193,14 +194,14 @@ class _Coding:
         return hashlib.sha256(" ".join((self._of, *named)).encode()).hexdigest()[:CODE_LENGTH]
 
     def page_of(self, line: RenderedLine, conditions: Sequence[str], *again: str) -> LinePage:
-        """The clips of these conditions in no telling order; with `again` that of the first twice."""
+        """The clips of these conditions in random order; with `again` the first of them and its copy."""
         clips = [self.code(line.id, condition) for condition in conditions]
         clips += [self.code(line.id, conditions[0], *again)] if again else []
         self._rng.shuffle(clips)
         return LinePage(self.code(line.id, "sound"), self.code(line.character, "body"), tuple(clips))
 
     def training_of(self, line: RenderedLine) -> tuple[tuple[str, LinePage], ...]:
-        """The line as each speaker gestures, by his name."""
+        """The line's clip of each speaker, by the speaker's name."""
         return tuple((name, self.page_of(line, [name])) for name in line.clips)
 
 

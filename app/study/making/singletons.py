@@ -1,15 +1,12 @@
-"""A line in the two versions of NGS's study (§4.1): U with the units of a speaker's profile, S with single gestures.
+"""The versions of a line in the studies of NGS (§4.1) and of the main paper (§5).
 
-S is U with every hold between two gestures replaced by a retraction, and after-strokes removed only as far as the
-retraction needs their time. In both all rests are hands at the side; all else is the same.
+NGS compares U, with the units of a speaker's profile, and S, with single gestures. S is U with every hold between two
+gestures replaced by a retraction; after-strokes are removed only if the retraction needs their time. In both versions
+the hands rest at the side; everything else is the same. If there is still no time for a rest, the gesture is dropped
+from both versions, so that they have the same gestures. The paper does not mention this case.
 
-Where even then there is no time for a rest, S cannot be shown. The paper does not say what it did; we drop the gesture
-from both versions, so that they have the same gestures.
-
-A line in the three modes of the main paper's study (§5), which differ in their gestures alone.
-
-Head, eyes, face and postures are those of the performance by meaning in all three. As in the paper, a head that moves
-on a body whose arms move otherwise is never in quite the same place.
+The main paper compares three modes. Here they differ in their gestures only: head, eyes, face and postures are those of
+the semantic mode. As in the paper, the position of the head still differs slightly, since the arms move the body.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -31,7 +28,7 @@ from .lines import StudyLine
 from .site import realized
 
 ROOM_S = 1.0
-"""From one gesture's last stroke to the next one's first in S, if after-strokes can make it."""
+"""In S after-strokes are removed to leave this time between the last stroke of a gesture and the first of the next."""
 
 AT_SIDE = "HANDS_AT_SIDE"
 _INSTANT_S = 0.1
@@ -39,8 +36,8 @@ _INSTANT_S = 0.1
 
 @dataclass(frozen=True, slots=True)
 class UnitVersions:
-    """Both versions' motions, how many gestures they have, how many holds of U are rests in S, and how many gestures
-    were given up for want of time."""
+    """The motions of both versions, the number of their gestures, the number of U's holds that are rests in S, and the
+    number of gestures dropped for lack of time."""
 
     motions: Mapping[str, RealizedSchedule]
     gestures: int
@@ -50,7 +47,7 @@ class UnitVersions:
 
 @dataclass(frozen=True, slots=True)
 class _Member:
-    """A gesture, and the number of its unit."""
+    """A gesture and the number of its unit."""
 
     gesture: ScriptedGesture
     unit: int
@@ -86,8 +83,8 @@ def _members(script: GestureScript) -> Iterator[_Member]:
 
 
 def _joined(profile: Profile, members: Sequence[_Member]) -> list[bool]:
-    """Whether each is in one unit with the one before it: a gesture between them that was given up may have left them
-    too far apart."""
+    """Whether each gesture is in one unit with the previous one. If a gesture between them was dropped, they may be too
+    far apart."""
     near = [
         one.unit == other.unit
         and other.gesture.strokes[0].start_s - one.gesture.strokes[-1].end_s < profile.units.merge_within_s
@@ -97,7 +94,7 @@ def _joined(profile: Profile, members: Sequence[_Member]) -> list[bool]:
 
 
 def _version(script: GestureScript, profile: Profile, members: Sequence[_Member], name: str) -> GestureScript:
-    """The script with its gestures in units, or each by itself."""
+    """The script with its gestures in units (U) or single (S)."""
     joined = _joined(profile, members)
     strokes = [each.gesture.strokes for each in members]
     if name == SINGLETONS:
@@ -113,7 +110,7 @@ def _version(script: GestureScript, profile: Profile, members: Sequence[_Member]
 
 
 def _trimmed(strokes: Sequence[tuple[Interval, ...]], joined: Sequence[bool]) -> Iterator[tuple[Interval, ...]]:
-    """The strokes without those after-strokes that leave no time to rest before the next gesture."""
+    """The strokes of each gesture without the after-strokes that leave no time to rest before the next gesture."""
     for place, own in enumerate(strokes):
         kept = own
         if place + 1 < len(strokes) and joined[place + 1]:
@@ -123,7 +120,8 @@ def _trimmed(strokes: Sequence[tuple[Interval, ...]], joined: Sequence[bool]) ->
 
 
 def _schedule(performance: Performance, script: GestureScript, name: str) -> PreparedSchedule:
-    """What the body does in a version: the script's gestures, hands at the side, and all else of the performance."""
+    """The schedule of a version: the script's gestures, rests at the side, and all other behaviours of the
+    performance."""
     others = [each for each in performance.behaviors if each.rule != f"profile_{script.profile}"]
     made = scripted_behaviors(script, performance.functions, others)
     behaviors = (*_at_side(others), *(each for each in made if each.kind is Channel.GESTURE))
@@ -132,8 +130,8 @@ def _schedule(performance: Performance, script: GestureScript, name: str) -> Pre
 
 
 def _at_side(behaviors: Iterable[Behavior]) -> Iterator[Behavior]:
-    """The behaviours without other rests of the hands: at the side from the first frame on, and again after shifts of
-    weight, which would let the hands rest as they like."""
+    """The behaviours with all rests of the hands at the side: from the first frame on, and again after each shift of
+    weight, which would otherwise reset the rest."""
     yield _side_posture(0.0, 0)
     for number, each in enumerate(behaviors, start=1):
         is_posture = each.kind is Channel.POSTURE and each.lexeme in POSTURES
@@ -149,7 +147,7 @@ def _side_posture(start_s: float, number: int) -> Behavior:
 
 
 def _unfit(motions: Mapping[str, RealizedSchedule]) -> set[str]:
-    """The first gesture that is not played in a version, or has no rest before it in S."""
+    """The first gesture that has no rest before it in S, or is dropped in a version."""
     told = [each.behavior for each in motions[SINGLETONS].motion.decisions if each.action == "blended"]
     told += [each.behavior for found in motions.values() for each in found.motion.decisions if each.action == "dropped"]
     return {name for name in told[:1] if name.startswith("script.")}
@@ -168,7 +166,8 @@ def in_modes(models: Understudy, study_line: StudyLine) -> Mapping[str, Performa
 
 
 def with_gestures_of(gesturing: Performance, moving: Performance) -> Performance:
-    """The performance `moving` with the gestures of `gesturing`; behaviours are named by channel."""
+    """The performance `moving` with the gestures of `gesturing`; ids cannot clash, since they are numbered by
+    channel."""
 
     def is_gesture(behavior: Behavior) -> bool:
         return behavior.kind is Channel.GESTURE

@@ -1,19 +1,19 @@
 """Writes the page as a folder of static files that any browser opens, from a disk or a web server, without this
 service.
 
-`index.html` has the page's modules, style and plan in itself. Motion and bodies are loaded when they are needed: from a
-disk browsers load only what is a script, so each is a script that hands over its content by an event.
+`index.html` contains the page's modules, style and plan. Motion and bodies are loaded on demand. Browsers load only
+scripts from a disk, so each of these files is a script that delivers its content by an event.
 
-The page's ES modules are inlined, because browsers do not load modules from files (`file://`): every module that the
-first one needs becomes a `data:` address in the page's import map, and what it imports is named by the module's path,
-so that modules stay modules. Names of packages are those of the studio's own import map.
+The page's ES modules are inlined, because browsers do not load modules from files (`file://`). Each required module
+becomes a `data:` URL in the page's import map, under the module's path. The names of packages are those of the studio's
+import map.
 
-A performance is shown as a clip, with the recording as FLAC and a body of each character. A clip must not reveal its
+A clip consists of the motion, the recording as FLAC, and the body of its character. A clip must not reveal its
 condition, so names, reasons and decisions are stripped from the motion, and tags from the recording.
 
-Each rater has an order of lines and clips, from balanced Latin squares. In a Williams square each item occurs once a
-row, equally often in each position, and equally often right after each other item. Raters take the rows in turn, so
-that orders are balanced after every whole square.
+The orders of lines and clips come from balanced Latin squares. In a Williams square each item occurs once in each row,
+equally often in each position, and equally often directly after each other item. Raters take the rows in turn, so
+orders are balanced after each complete square.
 """
 
 import base64
@@ -36,10 +36,10 @@ from ...models import Understudy
 from ..comparison import DIMENSIONS, HIGHEST, LOWEST, MOST_UNDERSTOOD, MUCH, UNDECIDED, UNDERSTOOD, Comparison
 
 FRAME_RATE_HZ = 30
-"""The page goes evenly from one frame to the next."""
+"""The frame rate of clips; the page interpolates between frames."""
 
 TAIL_S = 1.0
-"""Motion after the recording, in which hands come to rest."""
+"""The motion continues for this long after the recording, so that the hands come to rest."""
 
 _TELLING = ("events", "decisions", "notices")
 
@@ -82,7 +82,8 @@ STUDIO = PAGE.parents[1] / "studio" / "page"
 
 @dataclass(frozen=True, slots=True)
 class LinePage:
-    """A line on the page: the names of its recording, its body and its clips, in no telling order."""
+    """A line on the page: the names of its recording, its body and its clips; the order of the clips does not reveal
+    their conditions."""
 
     sound: str
     body: str
@@ -91,8 +92,8 @@ class LinePage:
 
 @dataclass(frozen=True, slots=True)
 class Site:
-    """All of the page: its name, what is compared, its lines, the files that are not in `index.html`, by path, and what
-    each speaker looks like, who are to be told apart."""
+    """The content of the page: its name, its comparison, its lines, the files beside `index.html` by path, and, for a
+    comparison of speakers, the introductory clip of each speaker (`training`)."""
 
     name: str
     comparison: Comparison
@@ -108,12 +109,12 @@ def script_of(name: str, content: str) -> bytes:
 
 
 def script_of_bytes(name: str, content: bytes) -> bytes:
-    """The same of bytes, in base64."""
+    """A script that publishes bytes, in base64, under a name."""
     return script_of(name, base64.b64encode(content).decode())
 
 
 def write_site(folder: Path, site: Site) -> None:
-    """Writes the page whole; raises InputError `file_unwritable`."""
+    """Writes the complete page; raises InputError `file_unwritable`."""
     try:
         for name, content in {**site.files, "index.html": _index(site).encode()}.items():
             write_whole(folder, name, content)
@@ -131,7 +132,7 @@ def _remove_others(folder: Path, site: Site) -> None:
 
 
 def _index(site: Site) -> str:
-    """The page's HTML with everything in its place."""
+    """The page's HTML with modules, style and plan inserted."""
     modules = Modules(PAGE.parents[1], packages_of(STUDIO / "index.html", "./studio/"))
     first = PAGE / "main.js"
     page = (PAGE / "index.html").read_text(encoding="utf-8")
@@ -146,7 +147,7 @@ def _index(site: Site) -> str:
 
 
 def _plan(site: Site) -> dict[str, object]:
-    """The plan of the page: what each rater sees, and the questions."""
+    """The plan of the page: the order of clips for each rater, and the questions."""
     return {
         "name": site.name,
         "comparison": site.comparison.value,
@@ -176,13 +177,13 @@ _BLOCK_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 
 
 class Modules:
-    """The modules in a folder, and the locations of the packages that they import."""
+    """The modules in a folder, and the locations of the packages they import."""
 
     def __init__(self, root: Path, packages: Mapping[str, Path]) -> None:
         self._root, self._packages = root, packages
 
     def import_map(self, first: Path) -> str:
-        """The import map, JSON, of the module and all that it imports.
+        """The import map (JSON) of the module and all its direct and indirect imports.
 
         Raises ServiceError `installation_incomplete`.
         """
@@ -201,7 +202,7 @@ class Modules:
         return path.relative_to(self._root).as_posix()
 
     def _named(self, path: Path) -> str:
-        """The module's text, its imports by their names in the map."""
+        """The module's text, with its imports replaced by their names in the map."""
 
         def renamed(match: re.Match[str]) -> str:
             target = self._target(path, match[3])
@@ -214,7 +215,7 @@ class Modules:
         yield from (target for target in targets if target is not None)
 
     def _target(self, path: Path, named: str) -> Path | None:
-        """The file that an import names; None for a text that only looks like one."""
+        """The file that an import names; None if the text only looks like an import."""
         if named.startswith("."):
             return (path.parent / named).resolve()
         longest = max((name for name in self._packages if _is_in(named, name)), key=len, default=None)
@@ -222,7 +223,7 @@ class Modules:
 
 
 def packages_of(page: Path, at: str) -> dict[str, Path]:
-    """The packages of a page's import map, whose addresses `at` stand for the page's folder."""
+    """The packages of a page's import map; `at` is the URL path of the page's folder."""
     match = _IMPORT_MAP.search(page.read_text(encoding="utf-8"))
     named = json.loads(match[1])["imports"] if match else {}
     return {name: (page.parent / address.removeprefix(at)).resolve() for name, address in named.items()}
@@ -233,7 +234,7 @@ def _is_in(named: str, package: str) -> bool:
 
 
 def _text(path: Path) -> str:
-    """A module's text without its comments, which may speak of other modules."""
+    """A module's text without its comments, which may mention other modules."""
     try:
         text = path.read_text(encoding="utf-8")
     except OSError:
@@ -257,10 +258,9 @@ def williams_square(count: int) -> tuple[Order, ...]:
 
 
 def rater_orders(lines: int, clips: int) -> tuple[tuple[tuple[int, Order], ...], ...]:
-    """For each rater, until the orders repeat: the lines in the order in which he sees them, each with the order of its
-    clips.
+    """For each rater, until the orders repeat: the order of the lines, each with the order of its clips.
 
-    A line has every order of its clips equally often over the raters, and a rater has different orders line by line.
+    Over the raters each line has every order of its clips equally often; the orders of one rater differ between lines.
     """
     squares = williams_square(lines), williams_square(clips)
     raters = range(lcm(len(squares[0]), len(squares[1])))

@@ -1,13 +1,16 @@
-"""The statistics of NGS's study (§4.1, §4.2): in which version, units or singletons, the character is more natural,
-friendly, nervous, extroverted, competent, trustworthy.
+"""The statistics of NGS's study (§4.1, §4.2): in which version, units (U) or singletons (S), the character is more
+natural, friendly, nervous, extroverted, competent, trustworthy.
 
-Undecided answers are counted and then left out. The t test of a dimension is of the raters' shares of U among their
-decided answers against one half, one-tailed for naturalness, which units were expected to raise, two-tailed for the
-others; a rater who never decided is left out of it, as in the paper. Whether shares are normal is tested (Lilliefors),
-groups of raters are compared by Mann-Whitney's test, and how much was understood by two factors. Two dimensions go
-together if the same version is chosen for both more often than not: a χ² test of equal against unequal decisions, where
-both were decided (Table 1).
-All tests are scipy's.
+- Undecided answers are counted and then left out.
+- A t test for each dimension compares each rater's share of U among the decided answers with one half: one-tailed for
+  naturalness, which units were expected to raise, two-tailed for the others. A rater who never decided is left out, as
+  in the paper.
+- The shares are tested for normality (Lilliefors), and groups of raters are compared by Mann-Whitney's test.
+- A two-factor analysis of variance tests the effect of how much was understood.
+- A χ² test of equal against unequal decisions shows whether two dimensions are associated, over trials in which both
+  were decided (Table 1).
+
+All distributions are scipy's.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -36,14 +39,14 @@ from .samples import (
 
 CHANCE = 0.5
 FEWEST_TRIALS = 10
-"""For χ², of which five of each kind are to be expected; of fewer the binomial test is exact."""
+"""The χ² test requires five expected decisions of each kind; for fewer trials the exact binomial test is used."""
 
 
 @dataclass(frozen=True, slots=True)
 class DimensionStatistics:
-    """The share of U among decided answers, the share of undecided answers (None if nobody decided), and the t test of
-    a preference; None if all raters have the same share, or only one decided. Whether the raters' shares are normal,
-    and whether groups of raters differ, where there are some."""
+    """The statistics of one dimension: the share of U among decided answers (None if nobody decided), the share of
+    undecided answers, and the t test of a preference (None if all raters have the same share, or only one decided);
+    normality of the raters' shares, and differences between groups of raters if there are groups."""
 
     answers: int
     units: float | None
@@ -55,8 +58,8 @@ class DimensionStatistics:
 
 @dataclass(frozen=True, slots=True)
 class Agreement:
-    """How often two dimensions are decided alike, of so many trials that decide both, and the p of χ² (of few trials
-    that of the binomial test)."""
+    """The share of equal decisions on two dimensions, the number of trials in which both were decided, and the p of the
+    χ² test (for few trials that of the binomial test)."""
 
     first: str
     second: str
@@ -68,9 +71,9 @@ class Agreement:
 
 @dataclass(frozen=True, slots=True)
 class ChoiceStatistics:
-    """A study of units: who and what was counted, each dimension, each two of them that were decided together, and the
-    shares of 1, 2 and 3 in how much was understood, empty where that was not asked. `understanding` says whether it
-    and the dimension change which version is chosen: the variance of raters' shares of U by both."""
+    """The statistics of a study of units: the numbers of raters and lines, each dimension, each pair of dimensions
+    decided together, and the shares of the answers 1, 2 and 3 to how much was understood (empty if not asked).
+    `understanding` is the two-factor analysis of variance of the shares of U by understanding and dimension."""
 
     raters: int
     lines: int
@@ -85,8 +88,8 @@ def choice_statistics(
     understood: Sequence[Understanding] = (),
     groups: Mapping[str, str] = MappingProxyType({}),
 ) -> ChoiceStatistics:
-    """The statistics of a study, whose raters are of these groups; raises InputError `too_few_answers` for fewer than
-    two raters."""
+    """The statistics of a study; `groups` maps raters to their groups. Raises InputError `too_few_answers` for fewer
+    than two raters."""
     raters = by_rater(verdicts)
     if len(raters) < FEWEST:
         raise too_few(f"{len(raters)} raters answered")
@@ -117,7 +120,8 @@ def _dimension(name: str, verdicts: Sequence[Verdict], groups: Mapping[str, str]
 
 
 def _understanding(verdicts: Iterable[Verdict], understood: Iterable[Understanding]) -> tuple[Effect, ...]:
-    """Two factors, how much was understood and the dimension (NGS §4.2); a value is a rater's share of U in both."""
+    """The analysis of variance by understanding and dimension (NGS §4.2); a value is the share of U of one rater at one
+    level of understanding in one dimension."""
     level_of = {(each.rater, each.line): str(each.level) for each in understood}
     cells: dict[tuple[str, str, str], list[Verdict]] = {}
     for each in verdicts:

@@ -1,8 +1,8 @@
 """The statistics of paired comparisons (RTS §3.2), on a scale from -2, the first clip much better, to 2, the second.
 
-Of each two conditions the mean preference, turned so that below 0 is for the condition named first, as in the paper's
-Table 3.3; a t test of the raters' own means against 0, and, for those that are not normal, Wilcoxon's signed ranks.
-Identical pairs show whether raters answer what they see: their mean should be near 0.
+For each pair of conditions: the mean preference, whose sign is such that values below 0 favour the condition named
+first, as in the thesis' Table 3.3; a t test of the raters' means against 0; and Wilcoxon's signed-rank test, for means
+that are not normal. Identical pairs are a check on the raters: their mean should be near 0.
 """
 
 from collections.abc import Mapping, Sequence
@@ -30,8 +30,9 @@ from .samples import (
 
 @dataclass(frozen=True, slots=True)
 class PairStatistics:
-    """Two conditions: the answers, the mean over raters and their deviation, how often neither was preferred, the t
-    test, p of Wilcoxon's test (None where every mean is 0), and whether means are normal and groups differ."""
+    """The statistics of a pair of conditions: the number of answers, the mean over raters and its deviation, the share
+    of answers that prefer neither, the t test, p of Wilcoxon's test (None if every mean is 0), normality of the means
+    and differences between groups."""
 
     first: str
     second: str
@@ -47,7 +48,8 @@ class PairStatistics:
 
 @dataclass(frozen=True, slots=True)
 class PreferenceStatistics:
-    """A study of pairs: who and what was counted, and each two conditions that were compared, identical ones last."""
+    """The statistics of a study of pairs: the numbers of raters and lines, and each pair of conditions that was
+    compared, identical pairs last."""
 
     raters: int
     lines: int
@@ -57,8 +59,8 @@ class PreferenceStatistics:
 def preference_statistics(
     comparison: Comparison, preferred: Sequence[Preferred], groups: Mapping[str, str] = MappingProxyType({})
 ) -> PreferenceStatistics:
-    """The statistics of a study, whose raters are of these groups; raises InputError `too_few_answers` for fewer than
-    two raters."""
+    """The statistics of a study; `groups` maps raters to their groups. Raises InputError `too_few_answers` for fewer
+    than two raters."""
     raters = by_rater(preferred)
     if len(raters) < FEWEST:
         raise too_few(f"{len(raters)} raters answered")

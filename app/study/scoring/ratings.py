@@ -1,11 +1,11 @@
 """The statistics of the main paper's study (§5): how appropriate the performances of three modes are.
 
-Ratings are 1 to 10. *Normalised*, ratings are divided by the rater's highest rating. The unit of the analysis
-of variance is a rater's mean in a condition: by this the paper's F(2, 180) has 61 raters in three groups (of the 69
-that it names), while 69 raters of five lines would give 1,035 ratings. A rater's line counts only if every clip of it
-was rated.
+Ratings are from 1 to 10. *Normalised* ratings are divided by the rater's highest rating. The unit of the analysis of
+variance is a rater's mean in a condition. This agrees with the paper's F(2, 180), which implies 61 raters in three
+groups (of the 69 it names); as single ratings, 69 raters of five lines would give 1,035. A rater's line counts only if
+the rater rated every clip of it.
 
-The analysis of variance is one-way and the comparison afterwards Tukey's HSD (Tukey-Kramer), both scipy's.
+The analysis of variance is one-way, followed by Tukey's HSD (Tukey-Kramer); both are scipy's.
 """
 
 from collections import Counter
@@ -29,7 +29,7 @@ Groups = Mapping[str, Sequence[float]]
 
 @dataclass(frozen=True, slots=True)
 class Mean:
-    """The mean of a condition and the standard deviation of the values it is of."""
+    """The mean and the standard deviation of a condition's values."""
 
     mean: float
     deviation: float
@@ -37,7 +37,7 @@ class Mean:
 
 @dataclass(frozen=True, slots=True)
 class Anova:
-    """F and its degrees of freedom, between groups and within; p of so large an F if nothing differs."""
+    """A one-way analysis of variance: F, its degrees of freedom between and within groups, and p."""
 
     f: float
     between: int
@@ -47,7 +47,8 @@ class Anova:
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """By how much the first condition is above the second, within `low` and `high` at 95 %, and Tukey's p."""
+    """The difference between the means of the first and the second condition, its 95 % confidence interval (`low`,
+    `high`), and Tukey's p."""
 
     first: str
     second: str
@@ -59,8 +60,8 @@ class Difference:
 
 @dataclass(frozen=True, slots=True)
 class Variance:
-    """The means of conditions, and whether they differ; `anova` is None, and there are no differences, where every
-    rater gives each condition the same, so that there is no variance to hold them against."""
+    """The means of the conditions and the tests of their differences. Without variance within any condition `anova` is
+    None and `differences` is empty."""
 
     means: Mapping[str, Mean]
     anova: Anova | None
@@ -69,8 +70,7 @@ class Variance:
 
 @dataclass(frozen=True, slots=True)
 class Preference:
-    """How often a condition is the first of a line and how often the last, as shares of all; clips that share a place
-    share it evenly."""
+    """The shares of lines in which a condition is ranked first and last; tied clips share the rank evenly."""
 
     first: float
     last: float
@@ -78,10 +78,10 @@ class Preference:
 
 @dataclass(frozen=True, slots=True)
 class RatingStatistics:
-    """A study of modes: who and what was counted, the ratings, the same normalised, which clip of a line had the
-    highest and the lowest grade, and which raters said was best and worst, None where none was asked. `incomplete`
-    counts lines of a rater that lack a rating. By condition: whether raters' means are normal, and whether groups of
-    raters differ."""
+    """The statistics of a study of modes: the numbers of raters, lines and ratings; the ratings and the normalised
+    ratings; preferences by the highest and lowest grades of a line (`by_grade`), and by the raters' choices of best and
+    worst (`by_choice`, None if not asked). `incomplete` counts pairs of rater and line that lack a rating. `normality`
+    of the raters' means and differences between `groups` of raters are by condition."""
 
     raters: int
     lines: int
@@ -96,8 +96,8 @@ class RatingStatistics:
 
 
 def rating_statistics(ratings: Sequence[Rating], groups: Mapping[str, str] = MappingProxyType({})) -> RatingStatistics:
-    """The statistics of a study, whose raters are of these groups; raises InputError `too_few_answers` for fewer than
-    two raters of whole lines."""
+    """The statistics of a study; `groups` maps raters to their groups. Raises InputError `too_few_answers` if fewer
+    than two raters rated every clip of a line."""
     conditions = CONDITIONS[Comparison.MODES]
     every = _trials(ratings)
     trials = {name: trial for name, trial in every.items() if len(trial) == len(conditions)}
@@ -126,7 +126,7 @@ def rating_statistics(ratings: Sequence[Rating], groups: Mapping[str, str] = Map
 
 
 def variance(groups: Groups) -> Variance:
-    """The means of groups, the one-way analysis of variance, and Tukey's comparison of each two."""
+    """The means of groups, the one-way analysis of variance, and Tukey's comparison of each pair."""
     means = {name: Mean(fmean(values), stdev(values)) for name, values in groups.items()}
     if not any(each.deviation for each in means.values()):
         return Variance(means, None, ())
@@ -166,7 +166,7 @@ def _mean(ratings: Iterable[Rating], condition: str) -> float:
 
 
 def _by_grade(trials: Iterable[Sequence[Rating]], conditions: Sequence[str]) -> Mapping[str, Preference]:
-    """The paper's first choice, the clip with the higher grade."""
+    """The paper's first choice: the clip of a line with the highest grade; and the last: with the lowest."""
     first, last, count = dict.fromkeys(conditions, 0.0), dict.fromkeys(conditions, 0.0), 0
     for trial in trials:
         count += 1
@@ -179,7 +179,7 @@ def _by_grade(trials: Iterable[Sequence[Rating]], conditions: Sequence[str]) -> 
 
 
 def _by_choice(ratings: Iterable[Rating], conditions: Iterable[str]) -> Mapping[str, Preference] | None:
-    """What raters said was best and worst."""
+    """The shares of the raters' choices of best and worst; None if either was never chosen."""
     chosen = Counter((each.choice, each.condition) for each in ratings)
     best, worst = (sum(chosen[choice, name] for name in conditions) for choice in (RaterChoice.BEST, RaterChoice.WORST))
     if not best or not worst:

@@ -1,12 +1,17 @@
-"""The answers of raters, from the CSV files of the page or of any other form.
+"""Reads raters' answers from the CSV files of the page, or of any other form.
 
-A file of ratings has the columns `rater`, `rating` (1 to 10) and `clip`, the name of the clip as the page has it, or
-instead of it `line` and `condition`; `choice` (best, worst or empty) may be there. A file of comparisons has `rater`,
-`dimension`, `answer` (A, B or undecided) and `a` and `b`, the two clips, or instead of them `line`, and U or S for an
-answer. A file of preferences has `rater`, `preference` (-2, the first much better, to 2) and `a` and `b`, or instead of
-them `line`, `first` and `second`. A file of speakers has `rater`, `answer` (a speaker) and `clip`, or `line` and
-`speaker`, and `beside`, the other clip that was seen with it, or empty. Any file may have `group`, that of the rater.
-What a clip shows is in the key that `understudy study make` wrote (columns `clip`, `line`, `condition`).
+The columns of a file, all with `rater` and optionally `group`, the rater's group:
+
+- ratings: `rating` (1 to 10); `clip`, the clip's name on the page, or `line` and `condition`; optionally `choice`
+  (best, worst or empty).
+- comparisons: `dimension`; `answer` (A, B or undecided) and the clips `a` and `b`, or `answer` (U, S or undecided) and
+  `line`.
+- preferences: `preference` (from -2, the first is much better, to 2); the clips `a` and `b`, or `line`, `first` and
+  `second`.
+- speakers: `answer` (a speaker); `clip`, or `line` and `speaker`; `beside`, the clip shown with it, or empty.
+
+The line and the condition of a clip are in the key that `understudy study make` wrote (columns `clip`, `line`,
+`condition`).
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -39,7 +44,7 @@ from .tables import AnswersError, CellMistake, Table, TableRow, read_table
 
 @dataclass(frozen=True, slots=True)
 class Rating:
-    """What a rater gave one clip of a line."""
+    """A rater's grade for one clip of a line."""
 
     rater: str
     line: str
@@ -50,7 +55,7 @@ class Rating:
 
 @dataclass(frozen=True, slots=True)
 class Verdict:
-    """In which condition a line's character is more of a dimension; None is undecided."""
+    """A rater's choice of the condition in which a line's character is more natural, friendly, …; None is undecided."""
 
     rater: str
     line: str
@@ -80,7 +85,7 @@ class Preferred:
 
 @dataclass(frozen=True, slots=True)
 class Named:
-    """Whose gestures a rater took a speaker's for, seen alone or `beside` another's."""
+    """A rater's answer to whose gestures a clip shows, seen alone or `beside` another speaker's."""
 
     rater: str
     line: str
@@ -95,7 +100,7 @@ class Named:
 
 @dataclass(frozen=True, slots=True)
 class Answers:
-    """The answers of all files, of one comparison, and the groups of raters who are of one."""
+    """The answers in all files, which belong to one comparison, and the groups of the raters that have one."""
 
     comparison: Comparison
     ratings: tuple[Rating, ...] = ()
@@ -107,8 +112,8 @@ class Answers:
 
 
 def read_answers(paths: Sequence[Path], key: Path | None = None) -> Answers:
-    """The answers in these files, whose clips are told by `key`, or by the key.csv beside the first file or in the
-    folder above.
+    """The answers in these files. Clips are identified by `key`, by default the key.csv in the folder of the first file
+    or in its parent.
 
     Raises AnswersError with every mistake, and as `read_table` does.
     """
@@ -130,7 +135,7 @@ def read_key(path: Path) -> Key:
     table.require(KEY_COLUMNS)
     known = {condition for conditions in CONDITIONS.values() for condition in conditions}
     wrong = [row for row in table.rows if row.cells["condition"] not in known]
-    if 0 < len(wrong) < len(table.rows):  # of speakers, whose names may be any, all are
+    if 0 < len(wrong) < len(table.rows):  # speakers may have any names, so all are unknown
         raise AnswersError(row.refused("condition", f"give one of {', '.join(sorted(known))}") for row in wrong)
     return {row.cells["clip"]: Shown(row.cells["line"], row.cells["condition"]) for row in table.rows}
 
@@ -158,7 +163,7 @@ _NAMED = {
     Comparison.UNITS: ("line",),
     Comparison.SPEAKERS: ("line", "speaker"),
 }
-"""The columns that say what was shown, by clips and by name; of pairs they are those below."""
+"""The columns that identify the clips, by clip name and by condition; for pairs they are those below."""
 _TWO_CLIPS, _TWO_NAMES = ("a", "b"), ("line", "first", "second")
 
 
@@ -184,7 +189,7 @@ class _TableReading:
         self._first: dict[tuple[str, ...], TableRow] = {}
 
     def read(self, table: Table) -> None:
-        """Reads every row; raises AnswersError where the columns do not say what clips show."""
+        """Reads every row; raises AnswersError if the columns do not identify the clips."""
         clips, named = _CLIPS.get(self._comparison, _TWO_CLIPS), _NAMED.get(self._comparison, _TWO_NAMES)
         if self._key is None and any(name in table.columns for name in clips):
             message = f"clips by name, and no {KEY_NAME} near to tell what they show; give --key the one of study make"
@@ -314,7 +319,7 @@ class _TableReading:
             self._named.append(Named(row.cells["rater"], shown.line, shown.condition, answer, beside))
 
     def _is_new(self, row: TableRow, *answered: str) -> bool:
-        """Whether nobody has answered this before; the same answer twice is a mistake."""
+        """Whether this rater has not answered this before; a repeated answer is a mistake."""
         first = self._first.setdefault(answered, row)
         if first is not row:
             asked = " ".join(filter(None, answered[1:]))
@@ -327,7 +332,7 @@ Answer = TypeVar("Answer", Rating, Verdict, Preferred, Named)
 
 
 def by_rater(answers: Iterable[Answer]) -> dict[str, list[Answer]]:
-    """The answers of each rater, in the order of their first."""
+    """The answers by rater, in order of each rater's first answer."""
     found: dict[str, list[Answer]] = {}
     for each in answers:
         found.setdefault(each.rater, []).append(each)

@@ -1,8 +1,8 @@
 """The statistics of NGS's recognition of speakers (§3.5): whether raters can tell one speaker's gestures from
 another's.
 
-In test 1 a clip is seen alone, in test 2 beside one of another speaker. Each test compares the raters' shares of right
-answers with chance, one of as many as there are speakers, by Student's t, two-tailed as in the paper, and all answers
+In test 1 a clip is shown alone, in test 2 beside a clip of another speaker. Each test compares the raters' shares of
+right answers with chance (1 / number of speakers) by Student's t, two-tailed as in the paper, and the pooled answers
 by the exact binomial test.
 """
 
@@ -33,8 +33,9 @@ ALONE, BESIDE = 1, 2
 
 @dataclass(frozen=True, slots=True)
 class RecognitionTest:
-    """One test: answers, the share of right ones and by chance, the t test and p of the binomial test; how often each
-    speaker was taken for each (`taken`, by \"shown as answered\"), whether shares are normal and groups differ."""
+    """The statistics of one test: the number of answers, the share of right answers and that expected by chance, the
+    t test and p of the binomial test; the confusion counts `taken`, by "shown as answered"; normality of the shares,
+    and differences between groups."""
 
     answers: int
     right: float
@@ -48,7 +49,8 @@ class RecognitionTest:
 
 @dataclass(frozen=True, slots=True)
 class RecognitionStatistics:
-    """A study of speakers: who and what was counted, the speakers, and each test by its number."""
+    """The statistics of a study of speakers: the numbers of raters and lines, the speakers, and each test by its
+    number."""
 
     raters: int
     lines: int
@@ -59,8 +61,8 @@ class RecognitionStatistics:
 def recognition_statistics(
     named: Sequence[Named], groups: Mapping[str, str] = MappingProxyType({})
 ) -> RecognitionStatistics:
-    """The statistics of a study, whose raters are of these groups; raises InputError `too_few_answers` for fewer than
-    two raters or two speakers."""
+    """The statistics of a study; `groups` maps raters to their groups. Raises InputError `too_few_answers` for fewer
+    than two raters or two speakers."""
     raters = by_rater(named)
     speakers = tuple(sorted({each.speaker for each in named} | {each.answer for each in named}))
     if len(raters) < FEWEST or len(speakers) < FEWEST:

@@ -1,4 +1,4 @@
-"""Statistics as the papers' tables, in Markdown, which is also what a terminal shows, and as JSON."""
+"""Formats statistics as the papers' tables, in Markdown (also on the terminal), and as JSON."""
 
 import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -19,12 +19,12 @@ SMALLEST_P = 0.001
 
 
 def report_json(statistics: Statistics) -> bytes:
-    """Every figure, unrounded, by the names of the dataclasses."""
+    """All statistics, unrounded, under the field names of the dataclasses."""
     return json.dumps(asdict(statistics), indent=2, allow_nan=False).encode() + b"\n"
 
 
 def report_markdown(statistics: Statistics) -> str:
-    """The tables."""
+    """The tables in Markdown."""
     match statistics:
         case RatingStatistics():
             lines = _ratings(statistics)
@@ -147,7 +147,7 @@ def _recognition(found: RecognitionStatistics) -> Iterator[str]:
 
 
 def _samples(tests: Mapping[str, tuple[Normality | None, Sequence[GroupDifference]]]) -> Iterator[str]:
-    """Whether raters' values are normal, and whether groups of raters differ, for each thing that was tested."""
+    """The tables of normality and of group differences; `tests` are by condition, dimension or pair."""
     fitted = [
         [name, f"{each.distance:.3f}", *_judged(each.p, ("no", "yes"))] for name, (each, _) in tests.items() if each
     ]

@@ -1,5 +1,5 @@
-"""Tests of samples that several studies need: Student's and Mann-Whitney's, normality, and analysis of two factors; and
-how many raters a study needs to find a difference of a size, told before it is run.
+"""Statistical tests shared by the studies: Student's t, Mann-Whitney's U, normality, and two-factor analysis of
+variance; and power analysis: how many raters a study needs to find an effect of a given size.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -18,17 +18,17 @@ from ..comparison import Comparison
 FEWEST = 2
 FEWEST_TO_FIT = 4
 DRAWS = 1999
-"""Samples of a normal distribution that p of normality is counted in."""
+"""The number of normal samples from which the p value of normality is estimated."""
 
 
 def too_few(told: str) -> InputError:
-    """The error for answers of fewer raters than statistics need; `told` says how many there are."""
+    """The error for too few raters; `told` states how many there are."""
     return InputError("too_few_answers", f"{told}; {FEWEST} at least are needed", field="answers")
 
 
 @dataclass(frozen=True, slots=True)
 class TTest:
-    """t, its degrees of freedom, and p; `tails` are 1 or 2."""
+    """A t test: t, its degrees of freedom, p, and the number of tails (1 or 2)."""
 
     t: float
     freedom: int
@@ -38,8 +38,8 @@ class TTest:
 
 @dataclass(frozen=True, slots=True)
 class Normality:
-    """The largest distance between the sample's distribution and the normal one of its mean and deviation
-    (Kolmogorov-Smirnov), and the share of normal samples that are as far (Lilliefors)."""
+    """A normality test: the largest distance between the sample's distribution and the normal distribution with its
+    mean and deviation (Kolmogorov-Smirnov), and the share of normal samples at least that far (Lilliefors)."""
 
     distance: float
     p: float
@@ -58,7 +58,7 @@ class GroupDifference:
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """F of a factor, or of two together, with its degrees of freedom, and p."""
+    """The effect of a factor, or of the interaction of two: F, its degrees of freedom, and p."""
 
     name: str
     f: float
@@ -68,8 +68,8 @@ class Effect:
 
 
 def one_sample_t(values: Sequence[float], expected: float, *, tails: int = 2) -> TTest | None:
-    """Student's test of a mean against what is expected, one-tailed of its being greater; None where there is no
-    variance, or one value alone."""
+    """Student's t test of a mean against the expected value; one-tailed it tests for a greater mean. None for a single
+    value, or without variance."""
     if len(values) < FEWEST or not pstdev(values):
         return None
     alternative = "two-sided" if tails == 2 else "greater"
@@ -78,7 +78,7 @@ def one_sample_t(values: Sequence[float], expected: float, *, tails: int = 2) ->
 
 
 def normality(values: Sequence[float]) -> Normality | None:
-    """Whether values may be of a normal distribution, as a t test has it; None of too few, or of equal ones."""
+    """Whether the values may be normally distributed, as the t test assumes; None for too few or equal values."""
     if len(values) < FEWEST_TO_FIT or not pstdev(values):
         return None
     found = stats.goodness_of_fit(
@@ -88,7 +88,7 @@ def normality(values: Sequence[float]) -> Normality | None:
 
 
 def group_differences(values: Mapping[str, Sequence[float]]) -> tuple[GroupDifference, ...]:
-    """Each two groups of raters compared by the ranks of their values; exact where there are few and none are tied."""
+    """Compares each pair of groups by Mann-Whitney's test; exact for few values without ties."""
     return tuple(
         GroupDifference(one, other, (len(values[one]), len(values[other])), float(found.statistic), float(found.pvalue))
         for one, other in combinations(values, 2)
@@ -97,7 +97,7 @@ def group_differences(values: Mapping[str, Sequence[float]]) -> tuple[GroupDiffe
 
 
 def by_group(values: Mapping[str, float], groups: Mapping[str, str]) -> Mapping[str, Sequence[float]]:
-    """The raters' values by group, of those raters who are of one."""
+    """The raters' values by group; raters without a group are left out."""
     found: dict[str, list[float]] = {}
     for rater, value in values.items():
         if groups.get(rater):
@@ -106,11 +106,11 @@ def by_group(values: Mapping[str, float], groups: Mapping[str, str]) -> Mapping[
 
 
 def two_factors(values: Sequence[float], first: Sequence[str], second: Sequence[str]) -> tuple[Effect, ...]:
-    """The analysis of variance by two factors and both together, where cells may have any number of values (sums of
-    squares of type II: each factor beside the other). A term without freedom is left out; nothing is found where all
-    cells are without variance.
+    """Two-factor analysis of variance with interaction, for cells of unequal size (type II sums of squares: each factor
+    adjusted for the other). Terms without degrees of freedom are left out; the result is empty if no cell has
+    variance.
 
-    `first` and `second` have the level of each value.
+    `first` and `second` are the levels of each value.
     """
     one, other = _dummies(first), _dummies(second)
     products: list[FloatArray] = [one[:, [column]] * other for column in range(one.shape[1])]
@@ -137,13 +137,13 @@ def _effect(name: str, squares: float, between: int, error: float, within: int) 
 
 
 def _dummies(levels: Sequence[str]) -> FloatArray:
-    """A column for each level but the first, 1 where a value has it."""
+    """Dummy coding: a column for each level except the first, 1 where a value has that level."""
     known = sorted(set(levels))[1:]
     return np.array([[float(level == each) for each in known] for level in levels]).reshape(len(levels), len(known))
 
 
 def _residual(design: FloatArray, observed: FloatArray) -> tuple[float, int]:
-    """What the design leaves of the values, as a sum of squares, and its rank."""
+    """The residual sum of squares of a least-squares fit of the design, and the rank of the design."""
     fitted, _residuals, rank, _values = np.linalg.lstsq(design, observed, rcond=None)
     left = observed - design @ fitted
     return float(left @ left), int(rank)
@@ -158,35 +158,36 @@ SIZES_OF_F = (0.1, 0.25, 0.4)
 
 @dataclass(frozen=True, slots=True)
 class Needed:
-    """So many raters find an effect of this size with a probability of `POWER`."""
+    """The number of raters that find an effect of this size with probability `POWER`."""
 
     size: float
     raters: int
 
 
 def raters_needed(comparison: Comparison, conditions: int) -> tuple[Needed, ...]:
-    """How many raters find a small, a medium and a large effect in this comparison."""
+    """The number of raters needed to find a small, a medium and a large effect in this comparison."""
     if comparison is Comparison.MODES:
         return tuple(Needed(size, _fewest(partial(power_of_f, size, conditions))) for size in SIZES_OF_F)
     return tuple(Needed(size, _fewest(partial(power_of_t, size))) for size in SIZES_OF_T)
 
 
 def power_of_t(d: float, raters: int) -> float:
-    """How probably a t test of so many raters finds a mean of d deviations, at p < `SIGNIFICANT`, two-tailed."""
+    """The power of a two-tailed t test at p < `SIGNIFICANT` for an effect size of d (mean over deviation)."""
     freedom, shift = raters - 1, d * raters**0.5
     least = stats.t.ppf(1 - SIGNIFICANT / 2, freedom)
     return float(stats.nct.sf(least, freedom, shift) + stats.nct.cdf(-least, freedom, shift))
 
 
 def power_of_f(f: float, conditions: int, raters: int) -> float:
-    """How probably a one-way analysis of variance of so many raters finds means that deviate by f."""
+    """The power of a one-way analysis of variance at p < `SIGNIFICANT` for an effect size of f; `raters` is the number
+    of values per condition."""
     between, within = conditions - 1, conditions * (raters - 1)
     least = stats.f.ppf(1 - SIGNIFICANT, between, within)
     return float(stats.ncf.sf(least, between, within, f * f * conditions * raters))
 
 
 def plan_told(comparison: Comparison, conditions: int) -> str:
-    """A sentence for whoever makes a study."""
+    """A sentence on how many raters to recruit, for the experimenter."""
     name = "f" if comparison is Comparison.MODES else "d"
     small, medium, large = raters_needed(comparison, conditions)
     sizes = [f"{each.raters} if {told} ({each.size:g})" for each, told in ((medium, "medium"), (small, "small"))]
@@ -196,7 +197,7 @@ def plan_told(comparison: Comparison, conditions: int) -> str:
 
 def _fewest(power: Callable[[int], float]) -> int:
     high = 2
-    while power(high) < POWER:  # doubled, since distributions lose their digits where power is nearly 1
+    while power(high) < POWER:  # doubled, since noncentral distributions are inaccurate where power is nearly 1
         high *= 2
     low = high // 2
     while low < high:

@@ -1,8 +1,7 @@
-"""CSV files with a header: their cells by column, and what is wrong with them, by line and column of the file.
+"""Reads CSV files with a header, and reports mistakes with line and column.
 
-Lines and columns count from 1, the header being line 1 and a column a cell of it. Column names ignore case and spaces.
-
-All files of answers are checked at once.
+Lines and columns count from 1; the header is line 1, and a column is a cell of the header. Case and surrounding spaces
+of column names are ignored. The mistakes of all files of answers are reported at once.
 """
 
 import csv
@@ -18,7 +17,7 @@ LARGEST_BYTES = 64 << 20
 
 @dataclass(frozen=True, slots=True)
 class CellMistake:
-    """What is wrong with a cell, or with a whole line where `column` is None."""
+    """A mistake in a cell, or in a whole line if `column` is None."""
 
     path: Path
     line: int
@@ -32,7 +31,7 @@ class CellMistake:
 
 @dataclass(frozen=True, slots=True)
 class TableRow:
-    """A line of the file: its cells by column name, and where each column stands."""
+    """A line of the file: its cells by column name, and the number of each column."""
 
     path: Path
     line: int
@@ -40,17 +39,17 @@ class TableRow:
     places: Mapping[str, int]
 
     def wrong(self, name: str, message: str) -> CellMistake:
-        """A mistake in the cell of that column."""
+        """A mistake in the row's cell in that column."""
         return CellMistake(self.path, self.line, f"{name}: {message}", self.places.get(name))
 
     def refused(self, name: str, told: str) -> CellMistake:
-        """A mistake that shows what is there and says what would be right."""
+        """A mistake whose message shows the cell's value, followed by the correction `told`."""
         return self.wrong(name, f"{shown(self.cells[name])}; {told}")
 
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """A file: its columns in order, folded, and its rows."""
+    """The content of a file: its column names in order, case-folded, and its rows."""
 
     path: Path
     columns: tuple[str, ...]
@@ -69,8 +68,8 @@ class Table:
 def read_table(path: Path) -> Table:
     """The table in a file.
 
-    Raises InputError `file_unreadable`, UndecodableError `text_not_utf8`, AnswersError for lines that have no more or
-    fewer cells than the header, and for quotes that never end.
+    Raises InputError `file_unreadable` and `file_too_large`, UndecodableError `text_not_utf8`, and AnswersError for
+    lines with more or fewer cells than the header, and for unclosed quotes.
     """
     lines = list(_lines(path, _text(path)))
     header = lines[0][1] if lines else []
@@ -105,7 +104,7 @@ def _text(path: Path) -> str:
 
 
 def _lines(path: Path, text: str) -> Iterator[tuple[int, list[str]]]:
-    """The lines that are not empty with their numbers; spreadsheets may have put semicolons for commas."""
+    """The non-empty lines with their numbers; cells are separated by commas, semicolons or tabs."""
     first = text.partition("\n")[0]
     separator = max(",;\t", key=first.count)
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=separator, strict=True)
@@ -123,7 +122,7 @@ MOST_TOLD = 20
 
 
 class AnswersError(InputError):
-    """Files of answers that do not hold together: `mistakes` has every one, the message the first twenty."""
+    """Mistakes in files of answers: `mistakes` contains all, the message the first `MOST_TOLD`."""
 
     def __init__(self, mistakes: Iterable[CellMistake]) -> None:
         self.mistakes = tuple(mistakes)
