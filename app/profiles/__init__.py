@@ -1,9 +1,9 @@
-"""Speaker profiles: annotated gestures in, a profile of how the speaker gestures, new gestures in that style out
+"""Speaker profiles: learns a speaker's gesture style from annotated gestures, and generates new gestures in that style
 (Neff, Kipp et al. 2007, called NGS in this package).
 
-    annotation   manual annotation of a recording, read from the formats of their tools and checked
-    proposing    a first annotation of a motion, for people to correct
-    learning     from annotation to profile (§3.2)
-    profile …    the profile itself, its file, and profiles mixed
-    generation   from profile and words to a gesture script (§3.3)
+    annotation   reads and checks manual annotations of recordings, in the formats of annotation tools
+    proposing    proposes an annotation from motion, for manual correction
+    learning     learns a profile from annotations (§3.2)
+    profile …    the profile, its file, and mixtures of profiles
+    generation   generates a gesture script from a profile and words (§3.3)
 """

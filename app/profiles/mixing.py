@@ -1,4 +1,4 @@
-"""A profile between two (NGS Fig. 2): every probability, mean and rate so far from the one towards the other."""
+"""Mixes two profiles (NGS Fig. 2) by linear interpolation of every probability, mean and rate."""
 
 from collections.abc import Iterable, Mapping
 from typing import TypeVar
@@ -23,9 +23,9 @@ Named = TypeVar("Named", bound=str)
 
 
 def mix(one: Profile, other: Profile, share: float, *, name: str) -> Profile:
-    """The profile that is `other` by `share`, in [0, 1], and `one` by the rest.
+    """The mixture of `other`, with weight `share` in [0, 1], and `one`, with weight 1 - `share`.
 
-    What cannot lie between, rests and postures, is that of the one with the greater share.
+    Rests and postures, which cannot be interpolated, are those of the profile with the greater weight.
     """
     nearer = other if share > 0.5 else one
     return Profile(
@@ -68,7 +68,7 @@ def _spread(one: Spread, other: Spread, share: float) -> Spread:
 
 
 def _tag(one: Profile, other: Profile, tag: str, share: float) -> TagHabit:
-    """What comes with a tag; where one profile does not know it, what it knows of its class or of any."""
+    """The mixed habit of a tag; a profile without the tag contributes its habit of the tag's class, or of `any`."""
     habits = one.tag(tag), other.tag(tag)
     first, second = (habit or TagHabit(0, {}) for habit in habits)
     return TagHabit(first.occurrences + second.occurrences, _table(first.lexemes, second.lexemes, share))
@@ -98,7 +98,7 @@ def _rows(
     shares: tuple[Mapping[Named, float], Mapping[Named, float]],
     share: float,
 ) -> dict[str, Mapping[Named, float]]:
-    """Rows of both; in place of a row that only one has, the other has what it does at all."""
+    """The mixed rows; a profile without a row contributes its overall distribution."""
     return {
         first: _table(rows[0].get(first, shares[0]), rows[1].get(first, shares[1]), share) for first in _names(*rows)
     }
@@ -155,7 +155,7 @@ def _head(one: HeadHabit, other: HeadHabit, nearer: HeadHabit, share: float) -> 
 
 
 def _forms(one: Profile, other: Profile, share: float) -> dict[str, FormHabit]:
-    """The forms of both; one that only one of them knows is its own."""
+    """The mixed forms; a form that only one profile has is taken unchanged."""
     made = {}
     for name in _names(one.forms, other.forms):
         known = one.forms.get(name) or other.forms[name]
@@ -165,7 +165,8 @@ def _forms(one: Profile, other: Profile, share: float) -> dict[str, FormHabit]:
 
 
 def _database(one: tuple[Occurrence, ...], other: tuple[Occurrence, ...], share: float) -> tuple[Occurrence, ...]:
-    """Of each lexeme so many of each as its share, at least one of what only one has."""
+    """The occurrences of each lexeme from both profiles in proportion to their weights, at least one of a lexeme that
+    only one profile has."""
     made: list[Occurrence] = []
     for name in sorted({each.lexeme for each in (*one, *other)}):
         first = [each for each in one if each.lexeme == name]

@@ -1,10 +1,8 @@
-"""A speaker's way of gesturing (NGS §3.2), as learnt from annotation or edited by hand.
+"""The gesture profile of a speaker (NGS §3.2), learned from annotations or edited by hand.
 
-Probabilities are in [0, 1]; times are seconds; rates are a minute of speech. A tag is a communicative function, `class`
-or `class.subtype` ("deixis.self"); the tag of a class stands for its subtypes that were not seen, and `any` for classes
-that were not.
-
-Communicative functions as semantic tags (NGS §3.2): the thin layer between words and gestures.
+Probabilities are in [0, 1]; times are seconds; rates are per minute of speech. The semantic tags (NGS §3.2) are
+communicative functions, `class` or `class.subtype` ("deixis.self"). The tag of a class is the fallback for unseen
+subtypes, `any` for unseen classes.
 """
 
 from collections.abc import Collection, Iterable, Mapping
@@ -16,7 +14,7 @@ from .annotation.model import PathForm, Position, TaggedWords
 ANY_TAG = "any"
 
 FIRST = "first"
-"""What comes before the first gesture of a recording, in the tables of what follows what."""
+"""The predecessor of the first gesture of a recording, in the tables of successors."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +27,7 @@ class Spread:
 
 @dataclass(frozen=True, slots=True)
 class TagHabit:
-    """How often a tag was met, and P(g∣s) by lexeme: how likely it comes with each; the sum is how likely with any."""
+    """The number of occurrences of a tag, and P(g∣s) by lexeme; their sum is the probability of any gesture."""
 
     occurrences: int
     lexemes: Mapping[str, float]
@@ -37,8 +35,8 @@ class TagHabit:
 
 @dataclass(frozen=True, slots=True)
 class LexemeHabit:
-    """How one gesture is made: its share of all gestures, P(hand∣g), its strokes, how long its main stroke ends after
-    its word does, and how often it is an independent hold."""
+    """The habit of a lexeme: its share of all gestures, P(hand∣g), its strokes, the time from the end of its word to
+    the end of its main stroke, and the share of independent holds."""
 
     share: float
     hands: Mapping[Hand, float]
@@ -49,7 +47,7 @@ class LexemeHabit:
 
 @dataclass(frozen=True, slots=True)
 class Occurrence:
-    """A gesture that was made, as the GestureDB keeps it: where its stroke started and ended, and by which way."""
+    """An entry of the GestureDB: the start, end and path of the stroke of one observed gesture."""
 
     lexeme: str
     hand: Hand
@@ -60,7 +58,7 @@ class Occurrence:
 
 @dataclass(frozen=True, slots=True)
 class FormHabit:
-    """An entry of the animation lexicon: what of a lexeme's form is the speaker's own, the rest being the library's.
+    """An entry of the animation lexicon: the speaker's own part of a lexeme's form; the rest is the gesture library's.
     `size` scales the movement."""
 
     size: float = 1.0
@@ -68,22 +66,22 @@ class FormHabit:
 
 @dataclass(frozen=True, slots=True)
 class UnitHabit:
-    """Of gestures that are nearer than `merge_within_s`, end of stroke to start of stroke, in a segment of speech, the
-    share `joined` is one unit: of those after a unit's first gesture, after its second, … the last share after all
-    that follow. `sizes` are the shares of units of 1, 2, … 6 and more gestures."""
+    """The habit of units. Gestures in a segment of speech that are nearer than `merge_within_s`, end of stroke to start
+    of stroke, are one unit with probability `joined`: after the unit's first gesture, after its second, …; the last
+    value applies to all further ones. `sizes` are the shares of units of 1, 2, … 6 and more gestures."""
 
     merge_within_s: float
     joined: tuple[float, ...]
     sizes: tuple[float, ...]
 
     def joined_after(self, size: int) -> float:
-        """How often a unit of so many gestures, 1 at least, goes on."""
+        """The probability that a unit of this many gestures (at least 1) continues."""
         return self.joined[min(size, len(self.joined)) - 1]
 
 
 @dataclass(frozen=True, slots=True)
 class PhaseHabit:
-    """How long the phases last that a gesture's clip leaves open."""
+    """The durations of the phases that a gesture's clip does not determine."""
 
     preparation_s: Spread
     hold_s: Spread
@@ -93,7 +91,7 @@ class PhaseHabit:
 
 @dataclass(frozen=True, slots=True)
 class RestHabit:
-    """Where the hands rest after a unit, by how soon the next begins: within `near_s`, after `far_s`, or between."""
+    """The rest poses after a unit by the time until the next one: within `near_s`, after `far_s`, or between."""
 
     near: str = "clasped"
     medium: str = "at_side"
@@ -104,8 +102,8 @@ class RestHabit:
 
 @dataclass(frozen=True, slots=True)
 class HeadHabit:
-    """Movements of the head a minute of speech by kind, the share of time in which the eyes are on the listener, and
-    the postures between which the body changes; None and empty where nobody marked them."""
+    """Head movements per minute of speech by kind, the share of time with gaze at the listener, and the postures of the
+    body; None or empty if not annotated."""
 
     per_minute: Mapping[str, float] = field(default_factory=dict)
     eye_contact: float | None = None
@@ -114,8 +112,8 @@ class HeadHabit:
 
 @dataclass(frozen=True, slots=True)
 class Smoothing:
-    """How probabilities were smoothed: the strength of each prior, in observations; `held_out` is the log-likelihood
-    that chose that of tags, nats a tag, `blind` that of a table which does not tell tags apart."""
+    """The smoothing of probabilities: the strength of each prior, in observations; `held_out` is the log-likelihood by
+    which that of tags was chosen, in nats per tag, `blind` the log-likelihood of a table that ignores the tag."""
 
     tags: float
     sequence: float
@@ -127,7 +125,7 @@ class Smoothing:
 
 @dataclass(frozen=True, slots=True)
 class Lead:
-    """By how much strokes come before the times that the words give (NGS §3.3, step 13)."""
+    """The time by which strokes precede the times derived from the words (NGS §3.3, step 13)."""
 
     main_s: float = 0.3
     after_s: float = 0.12
@@ -135,10 +133,10 @@ class Lead:
 
 @dataclass(frozen=True, slots=True)
 class Profile:
-    """Whose gestures these are.
+    """The gesture profile of one speaker.
 
-    `follows` is P(g_i∣g_i−1) and `hand_follows` the same of hands, `FIRST` before the first; what a row does not name
-    shares what the row leaves.
+    `follows` is P(g_i∣g_i−1) and `hand_follows` the same for hands, with `FIRST` before the first gesture; the
+    remaining probability of a row is shared among the values it does not name.
     """
 
     name: str
@@ -160,7 +158,7 @@ class Profile:
     lead: Lead = Lead()
 
     def tag(self, name: str) -> TagHabit | None:
-        """What is known of a tag, else of its class, else of any."""
+        """The habit of a tag; the fallbacks are its class and `any`."""
         return self.tags.get(name) or self.tags.get(name.partition(".")[0]) or self.tags.get(ANY_TAG)
 
 
@@ -170,7 +168,7 @@ def tag_of(function: Function) -> str:
 
 
 def tags_of(functions: Iterable[Function]) -> tuple[TaggedWords, ...]:
-    """The tags of the functions that were kept."""
+    """The tags of the kept functions."""
     return tuple(TaggedWords(tag_of(each), each.first, each.last) for each in functions if each.kept)
 
 

@@ -1,18 +1,18 @@
-"""Proposes phases, phrases and units as tracks of an annotation, from the motion in a BVH file and beside the words if
-they are known.
+"""Proposes phases, phrases and units as tracks of an annotation, from the motion in a BVH file and optionally the
+words.
 
-Phases are found by the speed of the wrists: movements between minima, holds where they stand, rests where they stay. A
-hand is at rest where it is near the place in which it is still for the longest time. A unit is a stretch in which a
-hand is away from rest. Its movements are parted at the minima of the speed; the first is the preparation, the last the
-retraction, what lies between strokes. A stroke after a long hold begins a phrase, as does one that is larger than the
-one before it; others are after-strokes. People correct it: the numbers are ours, and coarse.
+Phases are derived from the speed of the wrists. A hand is at rest near the place where it is still for the longest
+time. A unit is an interval in which a hand is away from rest. Its movements are separated at the minima of the speed,
+with holds where the hand stands still: the first movement is the preparation, the last the retraction, the others are
+strokes. A stroke begins a new phrase if it follows a long hold or is larger than the previous one; others are
+after-strokes. The thresholds are ours and coarse, since the proposal is corrected manually.
 
-A lexeme cannot be told from speeds: every phrase is called `UNKNOWN`, which learning refuses until somebody has named
-it. Its affiliate is proposed as the word in whose time its main stroke ends.
+Lexemes cannot be derived from speeds: every phrase has the lexeme `UNKNOWN`, which learning refuses. The proposed
+affiliate is the word during which the main stroke ends.
 
-Conventions: seconds, metres, metres a second, Y up; positions are in the frame of the root, so that walking and turning
-move nobody's hands. A file in centimetres is known by the length of its skeleton. Joints are known by their names,
-whatever the rig.
+Conventions: seconds, metres, metres per second, Y up; positions are in the frame of the root, so that walking and
+turning do not move the hands. Files in centimetres are recognized by the length of the skeleton, joints by their names
+in any rig.
 """
 
 import re
@@ -37,16 +37,16 @@ WRISTS = {
     "left": re.compile(r"(l|left)[_.]?(wrist|hand)|(wrist|hand)[_.]?(l|left)"),
     "right": re.compile(r"(r|right)[_.]?(wrist|hand)|(wrist|hand)[_.]?(r|right)"),
 }
-"""The names of the wrists without what stands before a colon, in small letters."""
+"""The names of the wrist joints, in lower case and without a prefix that ends in a colon."""
 
 TALLEST_M = 4.0
-"""A skeleton whose bones are longer together is in centimetres."""
+"""A skeleton with a greater total bone length is in centimetres."""
 CENTIMETRE_M = 0.01
 
 
 @dataclass(frozen=True, slots=True)
 class WristPaths:
-    """The wrists' positions (T, 3) from the root, and the frames a second."""
+    """The wrists' positions (T, 3) relative to the root, and the frame rate in Hz."""
 
     frame_rate_hz: float
     left_m: FloatArray
@@ -54,7 +54,7 @@ class WristPaths:
 
 
 def read_wrists(content: bytes, path: Path) -> WristPaths:
-    """The wrists of a file; raises AnnotationError for a file that is not BVH or has no known wrists."""
+    """The wrists of a file; raises AnnotationError for a file that is not BVH or has no recognized wrists."""
     try:
         bvh = read_bvh(content, "it")
     except InputError as error:
@@ -88,14 +88,14 @@ SMOOTHED_S = 0.05
 STILL_M_S = 0.12
 LEAST_STILL_S = 0.15
 AWAY_M = 0.15
-"""How far from rest a hand is when it gestures."""
+"""The minimum distance from rest of a gesturing hand."""
 LEAST_UNIT_S, LEAST_MOVEMENT_S = 0.5, 0.1
 LONG_HOLD_S = 0.35
 LARGER = 1.5
 CELL_M = 0.08
 
 Flags = NDArray[np.bool_]
-"""One a frame."""
+"""One value per frame."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,7 +117,7 @@ class ProposedUnit:
 
 @dataclass(frozen=True, slots=True)
 class _Movement:
-    """A stretch of frames in which a hand moves, and how far."""
+    """An interval of frames in which a hand moves, and the distance it moves."""
 
     first: int
     last: int
@@ -125,8 +125,8 @@ class _Movement:
 
 
 def proposed_units(wrists: WristPaths) -> Iterator[ProposedUnit]:
-    """The units of a motion in order of time; hands that pass their rest without a stop end one there and begin the
-    next."""
+    """The units of a motion in order of time. If a hand passes its rest without stopping, one unit ends there and the
+    next begins."""
     rate_hz = wrists.frame_rate_hz
     speeds = [_speed(path_m, rate_hz) for path_m in (wrists.left_m, wrists.right_m)]
     away = [_away(path_m, speed) for path_m, speed in zip((wrists.left_m, wrists.right_m), speeds, strict=True)]
@@ -147,7 +147,7 @@ def _speed(path_m: FloatArray, rate_hz: float) -> FloatArray:
 
 
 def _away(path_m: FloatArray, speed: FloatArray) -> Flags:
-    """Whether a hand is away from where it is still for the longest time (T,)."""
+    """Whether a hand is away from the place where it is still for the longest time (T,)."""
     still = path_m[speed < STILL_M_S]
     if not len(still):
         return np.ones(len(path_m), bool)
@@ -157,13 +157,13 @@ def _away(path_m: FloatArray, speed: FloatArray) -> Flags:
 
 
 def _stretches(flags: Flags) -> Iterator[tuple[int, int]]:
-    """First and last frame of each stretch that is set."""
+    """The first and last frame of each run of set flags."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], flags.astype(int), [0]])))
     yield from zip(edges[::2].tolist(), (edges[1::2] - 1).tolist(), strict=True)
 
 
 def _until_still(speed: FloatArray, first: int, last: int) -> tuple[int, int]:
-    """The stretch with the movements by which hands leave and reach their rest."""
+    """The interval, extended by the movements by which the hands leave and reach their rest."""
     while first > 0 and speed[first] > STILL_M_S:
         first -= 1
     while last < len(speed) - 1 and speed[last] > STILL_M_S:
@@ -172,7 +172,8 @@ def _until_still(speed: FloatArray, first: int, last: int) -> tuple[int, int]:
 
 
 def _movements(speed: FloatArray, first: int, last: int, rate_hz: float) -> Iterator[_Movement]:
-    """The movements of a stretch, parted by minima of the speed; those that are too short go with the one before."""
+    """The movements of an interval, separated at minima of the speed; a movement that is too short is merged with the
+    previous one."""
     for start, end in _stretches(speed[first : last + 1] >= STILL_M_S):
         minima = [start, *(m + start for m in argrelmin(speed[first + start : first + end + 1])[0]), end]
         deep = [m for m in minima[1:-1] if speed[first + m] < 0.6 * min(_peaks(speed[first:], minima, m))]
@@ -182,7 +183,7 @@ def _movements(speed: FloatArray, first: int, last: int, rate_hz: float) -> Iter
 
 
 def _peaks(speed: FloatArray, minima: Sequence[int], minimum: int) -> tuple[float, float]:
-    """The greatest speeds before and after a minimum, up to its neighbours."""
+    """The greatest speeds before and after a minimum, up to the neighbouring minima."""
     place = minima.index(minimum)
     before, after = minima[place - 1], minima[place + 1]
     return float(speed[before : minimum + 1].max()), float(speed[minimum : after + 1].max())
@@ -242,7 +243,7 @@ UNKNOWN = "UNKNOWN"
 
 
 def proposed_tracks(units: Iterable[ProposedUnit], others: Iterable[Track] = ()) -> tuple[Track, ...]:
-    """The tracks of an annotation; `others`, such as words and tags, stand before what is proposed."""
+    """The proposed tracks, after the `others`, such as words and tags."""
     found, known = tuple(units), tuple(others)
     words = next((track.spans for track in known if track.name == "words"), ())
     phrases = [phrase for unit in found for phrase in unit.phrases]

@@ -1,7 +1,7 @@
-"""Segments of speech, in which gestures join to units (NGS §3.3): stretches of words without a long pause.
+"""Segments of speech, within which gestures are joined to units (NGS §3.3): sequences of words without a long pause.
 
-The paper segments by hand, into utterances. A pause of `PAUSE_S` parts ours: sentences that follow each other sooner
-are one utterance. Times are seconds.
+The paper segments utterances manually. Our segments are separated by pauses of at least `PAUSE_S`; sentences with a
+shorter pause between them are one segment. Times are seconds.
 """
 
 from collections.abc import Sequence
@@ -11,18 +11,18 @@ from ..model import Interval, Word
 
 PAUSE_S = 0.6
 LONGEST_PAUSE_S = 2.0
-"""What of a pause counts as speech; the rest is silence in which nobody gestures."""
+"""The part of a pause that counts as speech at most; the rest is silence without gestures."""
 
 
 SHORTEST_RETRACTION_S, SHORTEST_PREPARATION_S, AFTER_STROKE_S = 0.4, 0.35, 0.1
-"""The least time in which hands go to rest and come from there (`understudy.realizer.scheduling.rests`), and how long a
-stroke is held before."""
+"""The minimum durations of the movements to and from rest (`understudy.realizer.scheduling.rests`), and of the hold
+after a stroke before them."""
 SHORTEST_REST_S = AFTER_STROKE_S + SHORTEST_RETRACTION_S + SHORTEST_PREPARATION_S
-"""Gestures that are nearer are one unit, for there is no time to rest."""
+"""Gestures with less time between them are one unit, since there is no time for a rest."""
 
 
 def segments_of(words: Sequence[Word]) -> tuple[tuple[int, int], ...]:
-    """The first and last word of each segment, of words that have times."""
+    """The first and last word of each segment of the timed words."""
     timed = [word for word in words if word.interval is not None]
     breaks = [place for place, (word, following) in enumerate(pairwise(timed), start=1) if _parted(word, following)]
     starts, ends = [0, *breaks], [*breaks, len(timed)]
@@ -30,7 +30,7 @@ def segments_of(words: Sequence[Word]) -> tuple[tuple[int, int], ...]:
 
 
 def spoken_s(words: Sequence[Word], segments: Sequence[tuple[int, int]]) -> float:
-    """How long is spoken in segments of words, with the pauses between them, so far as these count."""
+    """The duration of speech in segments of words, including the counted parts of the pauses between them."""
     by_index = {word.index: word for word in words}
     spans = [(time_of(by_index[first]).start_s, time_of(by_index[last]).end_s) for first, last in segments]
     pauses_s = sum(min(LONGEST_PAUSE_S, other[0] - one[1]) for one, other in pairwise(spans))
@@ -38,7 +38,7 @@ def spoken_s(words: Sequence[Word], segments: Sequence[tuple[int, int]]) -> floa
 
 
 def time_of(word: Word) -> Interval:
-    """The interval of a word that has one."""
+    """The interval of a timed word."""
     assert word.interval is not None, "only timed words are asked"
     return word.interval
 

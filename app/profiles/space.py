@@ -1,7 +1,7 @@
-"""How much space a gesture takes, by the sectors in which its stroke starts and ends.
+"""The size of a gesture, derived from the sectors in which its stroke starts and ends.
 
-The realizer plays gestures of its library larger or smaller; so sectors become a size: each sector further from the
-centre of gesture space (`XC YCC ZMiddle`) makes it larger, nearer to the body smaller. The steps are ours.
+The realizer can scale the gestures of its library, so sectors are converted to a size: each step away from the centre
+of gesture space (`XC YCC ZMiddle`) makes a gesture larger, a step towards the body smaller. The step sizes are ours.
 """
 
 from collections.abc import Iterable
@@ -11,14 +11,14 @@ from .annotation.model import Position
 from .annotation.spans import DEPTHS, HEIGHTS, SIDEWAYS
 
 USUAL_STEPS = 1.5
-"""How many sectors from the centre the stroke of a usual gesture is."""
+"""The distance of an average gesture's stroke from the centre, in sectors."""
 
 PER_STEP = 0.2
 SMALLEST, LARGEST = 0.6, 1.6
 
 
 def size_of(positions: Iterable[Position]) -> float:
-    """The size of a gesture with these positions, 1 for a usual one."""
+    """The size of a gesture with these positions; 1 is average."""
     steps = [_steps(position) for position in positions]
     if not steps:
         return 1.0

@@ -1,1 +1,1 @@
-"""What people marked in a recording of a speaker: words, tags, phases, phrases, units, and what head and eyes do."""
+"""Manual annotations of a speaker's recording: words, tags, phases, phrases, units, and movements of head and eyes."""

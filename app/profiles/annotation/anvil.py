@@ -1,8 +1,9 @@
-"""Reads ANVIL's annotation files (.anvil): XML with a `track` a row and an `el` a span.
+"""Reads ANVIL's annotation files (.anvil): XML with a `track` element for each track and an `el` for each span.
 
-An element of a primary track has times; one of a track on another (`ref`) has the numbers of that track's elements,
-the first and the last (`span`), or one (`singleton`). An `attribute` with the track's own value (`type`, `lexeme`,
-`token` …) is the label; `value-link`s are numbers of elements of another track, such as a phrase's affiliate.
+The elements of a primary track have times. The elements of a secondary track refer (`ref`) to elements of another track
+by number: to the first and the last (`span`), or to one (`singleton`). The label is the `attribute` with the track's
+main value (`type`, `lexeme`, `token` …). `value-link`s are numbers of elements of another track, such as a phrase's
+affiliate.
 """
 
 import re
@@ -17,12 +18,12 @@ from .tracks import LABELS, Track, TrackSpan, number_of, track_name, track_of, x
 
 _NUMBER = re.compile(r"\d{1,9}", re.ASCII)
 _LABEL_NAMES = ("type", "lexeme", "token", "text", "tag", "name", "rest", "phase")
-"""The attribute that is the label, where it is not called as `LABELS` says."""
+"""The attributes that may be the label if there is none with the name in `LABELS`."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Link:
-    """An attribute that names elements of another track, from the first to the last."""
+    """An attribute that refers to elements of another track, from the first to the last."""
 
     track: str
     first: str
@@ -30,7 +31,7 @@ class _Link:
 
 
 def read_anvil(content: bytes, path: Path) -> tuple[Track, ...]:
-    """The tracks of a file; raises AnnotationError with every element that has no time, or links to nothing."""
+    """The tracks of a file; raises AnnotationError with every element without a time, and every broken link."""
     reading = _AnvilTracks(path)
     for track in xml_root(content, path, "annotation").iter("track"):
         reading.read(track)
@@ -41,7 +42,7 @@ def read_anvil(content: bytes, path: Path) -> tuple[Track, ...]:
 
 
 class _AnvilTracks:
-    """The tracks so far, their elements by number, and the links of elements, which may name tracks that follow."""
+    """The tracks read so far, their elements by number, and the links of elements, which may refer to later tracks."""
 
     def __init__(self, path: Path) -> None:
         self._path = path
@@ -51,7 +52,7 @@ class _AnvilTracks:
         self.mistakes: list[AnnotationMistake] = []
 
     def read(self, track: etree._Element) -> None:
-        """Keeps the elements of a track, after those that it refers to."""
+        """Reads the elements of a track, after those of the track it refers to."""
         name, refers = track.get("name", ""), track.get("ref", "")
         spans = self._spans.setdefault(name, {})
         if refers and refers not in self._spans:
@@ -71,7 +72,7 @@ class _AnvilTracks:
             spans[number] = TrackSpan(*times, _label(track_name(name), attributes), attributes)
 
     def tracks(self) -> Iterator[Track]:
-        """What was read, every link as the numbers of what it names."""
+        """The tracks, with every link resolved to numbers of words or elements."""
         numbers = {name: dict(_numbers(spans)) for name, spans in self._spans.items()}
         for name, spans in self._spans.items():
             yield track_of(name, [self._linked(name, number, span, numbers) for number, span in spans.items()])
@@ -117,7 +118,7 @@ def _value(attribute: etree._Element) -> str | _Link:
 
 
 def _numbers(spans: Mapping[int, TrackSpan]) -> Iterator[tuple[int, int]]:
-    """The numbers from 0, in order of time, of the elements that have a label, as words have them."""
+    """Numbers the elements that have a label from 0 in order of time, as words are numbered."""
     labelled = [number for number, span in sorted(spans.items(), key=lambda each: each[1].start_s) if span.label]
     yield from ((number, place) for place, number in enumerate(labelled))
 

@@ -1,7 +1,7 @@
 """Reads and writes ELAN's annotation files (.eaf): tiers whose annotations refer to time slots, in milliseconds.
 
-An annotation that refers to another (`REF_ANNOTATION`) has that one's time. A slot without a time lies evenly between
-its neighbours, as ELAN draws it. By lxml: pympi-ling reads the same, but tells no mistakes.
+An annotation that refers to another (`REF_ANNOTATION`) has the time of the other. Slots without a time are spaced
+evenly between their neighbours, as in ELAN. Parsed with lxml, because pympi-ling does not report mistakes.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -20,7 +20,7 @@ _XSI = "http://www.w3.org/2001/XMLSchema-instance"
 
 
 def read_elan(content: bytes, path: Path) -> tuple[Track, ...]:
-    """The tiers of a file; raises AnnotationError with every annotation that has no time."""
+    """The tiers of a file; raises AnnotationError with every annotation without a time."""
     root = xml_root(content, path, "ANNOTATION_DOCUMENT")
     wrong = list(_unreadable(root, path))
     slots_s = _slots_s(root)
@@ -43,7 +43,7 @@ def read_elan(content: bytes, path: Path) -> tuple[Track, ...]:
 
 
 def _unreadable(root: etree._Element, path: Path) -> Iterator[AnnotationMistake]:
-    """Units and times that are none of ELAN's."""
+    """The mistakes in the unit of time and in the time slots."""
     header = root.find("HEADER")
     units = _UNITS if header is None else header.get("TIME_UNITS", _UNITS)
     if units != _UNITS:
@@ -66,7 +66,7 @@ def _slots_s(root: etree._Element) -> Mapping[str, float]:
 
 
 def _times(root: etree._Element, slots_s: Mapping[str, float]) -> Iterator[tuple[str, tuple[float, float]]]:
-    """The times of annotations by id; those that refer to each other in a circle have none."""
+    """The times of annotations by id; circular references have none."""
     known: dict[str, tuple[float, float]] = {}
     for annotation in root.iter("ALIGNABLE_ANNOTATION"):
         start, end = (slots_s.get(annotation.get(f"TIME_SLOT_REF{number}", "")) for number in (1, 2))
@@ -80,7 +80,7 @@ def _times(root: etree._Element, slots_s: Mapping[str, float]) -> Iterator[tuple
 
 
 def write_elan(tracks: Sequence[Track], *, media: str = "") -> bytes:
-    """The tracks as a file that ELAN opens, each a tier of its own; `media` is the recording's file name."""
+    """The tracks as an ELAN file with a tier for each track; `media` is the recording's file name."""
     location = etree.QName(_XSI, "noNamespaceSchemaLocation")
     root = etree.Element("ANNOTATION_DOCUMENT", nsmap={"xsi": _XSI})
     for name, value in (("AUTHOR", ""), ("DATE", "1970-01-01T00:00:00+00:00"), ("FORMAT", "3.0"), ("VERSION", "3.0")):

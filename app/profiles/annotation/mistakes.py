@@ -1,4 +1,4 @@
-"""What is wrong in an annotation: every mistake of all files at once, each with its file, time and track."""
+"""Mistakes in annotations. The mistakes of all files are reported at once, each with its file, time and track."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from ...errors import InputError
 
 @dataclass(frozen=True, slots=True)
 class AnnotationMistake:
-    """A mistake on a track; `time_s` is None where it concerns the whole track, `track` empty for the whole file."""
+    """A mistake in an annotation; `time_s` is None if it concerns a whole track, `track` is empty if a whole file."""
 
     path: Path
     message: str
@@ -23,7 +23,7 @@ class AnnotationMistake:
 
 
 class AnnotationError(InputError):
-    """Files of annotation that do not hold together: `mistakes` has every one."""
+    """Mistakes in annotation files; `mistakes` contains all of them."""
 
     def __init__(self, mistakes: Iterable[AnnotationMistake]) -> None:
         self.mistakes = tuple(mistakes)

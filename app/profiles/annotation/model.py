@@ -1,7 +1,7 @@
-"""An annotation as it is used: what a speaker said and how their hands, head and eyes went with it (NGS §3.1).
+"""The annotation model: a speaker's words, and the movements of hands, head and eyes that accompany them (NGS §3.1).
 
-Times are seconds from the start of the recording, words are numbered from 0. Phases lie in phrases, phrases in units;
-only a unit's retraction belongs to no phrase, for it is the unit's (Kendon).
+Times are seconds from the start of the recording; words are numbered from 0. Phrases consist of phases, units of
+phrases. The retraction belongs to the unit and to no phrase (Kendon).
 """
 
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from ...model import Hand, Interval, Word
 
 
 class PhaseKind(StrEnum):
-    """What the hand does in a phase; an independent hold is a phrase without a stroke."""
+    """The kinds of gesture phases; an independent hold replaces the stroke of a phrase."""
 
     PREPARATION = "preparation"
     STROKE = "stroke"
@@ -22,14 +22,14 @@ class PhaseKind(StrEnum):
 
 
 class PathForm(StrEnum):
-    """The form of a stroke's way."""
+    """The form of a stroke's path."""
 
     STRAIGHT = "straight"
     CURVED = "curved"
 
 
 class Swivel(StrEnum):
-    """How far the elbow is from the body."""
+    """The distance of the elbow from the body."""
 
     TOUCH = "touch"
     NORMAL = "normal"
@@ -39,8 +39,8 @@ class Swivel(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Position:
-    """Where a hand is: sectors across, in height and away from the body, in the gesture language's words (`XP`, `YCC`,
-    `ZMiddle`), seen from the hand's own side; and the arm's swivel."""
+    """The position of a hand: its sectors of gesture space across, in height and in depth, in the terms of the gesture
+    language (`XP`, `YCC`, `ZMiddle`), relative to the hand's own side; and the swivel of the arm."""
 
     sideways: str
     height: str
@@ -53,7 +53,7 @@ class Position:
 
 @dataclass(frozen=True, slots=True)
 class Phase:
-    """A phase and its time."""
+    """A gesture phase and its time."""
 
     kind: PhaseKind
     interval: Interval
@@ -61,10 +61,10 @@ class Phase:
 
 @dataclass(frozen=True, slots=True)
 class GesturePhrase:
-    """A gesture: its form, the words that it means (`affiliate`, first and last), and its phases in order of time.
+    """A gesture: its form, its lexical affiliate (first and last word), and its phases in order of time.
 
-    `start` and `end` are where the hand is when the main stroke starts and ends; `tag` is the semantic tag, where the
-    annotation says it.
+    `start` and `end` are the positions of the hand at the start and end of the main stroke; `tag` is the semantic tag,
+    if annotated.
     """
 
     interval: Interval
@@ -79,12 +79,12 @@ class GesturePhrase:
 
     @property
     def strokes(self) -> tuple[Interval, ...]:
-        """The main stroke, then the after-strokes; none where the gesture is an independent hold."""
+        """The main stroke, then the after-strokes; empty for an independent hold."""
         return tuple(phase.interval for phase in self.phases if phase.kind is PhaseKind.STROKE)
 
     @property
     def main_s(self) -> Interval:
-        """The main stroke, or the independent hold."""
+        """The interval of the main stroke, or of the independent hold."""
         return next(
             phase.interval for phase in self.phases if phase.kind in (PhaseKind.STROKE, PhaseKind.INDEPENDENT_HOLD)
         )
@@ -92,7 +92,7 @@ class GesturePhrase:
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """Gestures between two rests, and the pose in which the hands rest after them, where it is said."""
+    """The gestures between two rests, and the rest pose after them, if annotated."""
 
     interval: Interval
     phrases: tuple[GesturePhrase, ...]
@@ -102,7 +102,7 @@ class Unit:
 
 @dataclass(frozen=True, slots=True)
 class LabelledInterval:
-    """A stretch of time and what happens in it."""
+    """An interval and its label."""
 
     interval: Interval
     label: str
@@ -110,7 +110,7 @@ class LabelledInterval:
 
 @dataclass(frozen=True, slots=True)
 class TaggedWords:
-    """Words `first` to `last` and their semantic tag."""
+    """The words from `first` to `last` and their semantic tag."""
 
     tag: str
     first: int
@@ -119,9 +119,9 @@ class TaggedWords:
 
 @dataclass(frozen=True, slots=True)
 class Annotation:
-    """All that was marked in one recording. `segments` are stretches of speech between pauses, first and last words;
-    `tags` is None where the file has no such track, so that the words must be understood first. `unread` are the names
-    of tracks that say nothing to us."""
+    """The annotation of one recording. `segments` are stretches of speech between pauses, as first and last words.
+    `tags` is None if there is no track of tags; they are then derived from the words. `unread` are the names of unknown
+    tracks."""
 
     path: Path
     duration_s: float

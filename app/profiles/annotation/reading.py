@@ -1,9 +1,9 @@
-"""Reads annotations from files of any format that we know, joins phases to phrases and phrases to units (NGS §3.1), and
-checks all: every mistake of all files is reported at once.
+"""Reads annotations in all supported formats, joins phases to phrases and phrases to units (NGS §3.1), and checks them.
+The mistakes of all files are reported at once.
 
-A phrase has a preparation at most first, then holds and strokes, of which there is one at least, or one independent
-hold instead. A retraction is the unit's and its last phase; it may lie in the last phrase or after it. What does not
-lie in its whole, and what contradicts itself, is a mistake.
+A phrase consists of an optional preparation, followed by holds and at least one stroke, or by one independent hold. A
+retraction is the last phase of a unit, and may lie in its last phrase or after it. Phases outside a phrase or unit,
+phrases outside a unit, and contradictory phases are mistakes.
 """
 
 from collections import deque
@@ -71,7 +71,7 @@ def _within(parts: InTime[Marked], whole: TrackSpan) -> tuple[Marked, ...]:
 
 
 def _outside(parts: Iterable[Marked], wholes: Iterable[Interval]) -> Iterator[Marked]:
-    """The parts that lie in no whole."""
+    """The parts that lie within no whole."""
     held = InTime.of(wholes, lambda whole: (whole.start_s - TOUCHING_S, whole.end_s + TOUCHING_S))
     yield from (part for part in parts if not held.any_holds(part.interval.start_s, part.interval.end_s))
 
@@ -84,7 +84,7 @@ def _phases(track: Track, checking: Checking) -> Iterator[Phase]:
 
 
 def _check_hands(phrases: Track, checking: Checking) -> None:
-    """Hands that are said nowhere are one mistake, of the track."""
+    """If no phrase has a hand, reports one mistake for the track."""
     checking.hands_said = not phrases.spans or any(span.attributes.get("hand") for span in phrases.spans)
     if not checking.hands_said:
         told = "no phrase says its hand: give each the attribute hand, or a track phrases.hand, with RH, LH or 2H"
@@ -112,7 +112,7 @@ def _phrase(span: TrackSpan, phases: InTime[Phase], checking: Checking) -> Gestu
 
 
 def _contradiction(phases: Sequence[Phase]) -> str | None:
-    """What is wrong with the phases of a phrase."""
+    """The mistake in the phases of a phrase, if any."""
     kinds = [phase.kind for phase in phases]
     if PhaseKind.PREPARATION in kinds[1:]:
         return "a preparation is the first phase of its phrase"
@@ -154,8 +154,8 @@ READERS: Mapping[str, Callable[[bytes, Path], tuple[Track, ...]]] = {
 def read_annotations(
     paths: Iterable[Path], lexemes: Collection[str] | None = None, tags: Collection[str] | None = None
 ) -> tuple[Annotation, ...]:
-    """The annotations in files, by what their names end in; `lexemes` are those that can be played, `tags` those that
-    there are (None: any).
+    """The annotations in files, in the formats given by their endings; `lexemes` are the playable lexemes, `tags` the
+    existing tags (None: any).
 
     Raises UnsupportedFormatError, and AnnotationError with every mistake of all files.
     """
@@ -189,7 +189,7 @@ def read_tracks(path: Path) -> tuple[Track, ...]:
 def annotation_of(
     tracks: Iterable[Track], path: Path, lexemes: Collection[str] | None = None, tags: Collection[str] | None = None
 ) -> Annotation:
-    """The annotation that tracks make; raises AnnotationError with every mistake."""
+    """The annotation made of tracks; raises AnnotationError with every mistake."""
     tracks = tuple(tracks)
     by_name = {track.name: track for track in with_attributes(tracks)}
     checking = Checking(path, lexemes, tags)
@@ -202,7 +202,7 @@ def annotation_of(
 
 
 def _has_all(tracks: Mapping[str, Track], checking: Checking) -> bool:
-    """Whether no track is missing; where one is, the times of the others are checked, not how they lie in it."""
+    """Whether no track is missing; otherwise only the times of the others are checked, not their nesting."""
     missing = [name for name in NEEDED if name not in tracks]
     for name in missing:
         checking.wrong(name, None, f"the track is missing{did_you_mean(name, tracks.keys() - KNOWN)}")
@@ -213,7 +213,7 @@ def _has_all(tracks: Mapping[str, Track], checking: Checking) -> bool:
 
 
 def _whole(tracks: Mapping[str, Track], checking: Checking) -> Annotation:
-    """The annotation, its mistakes noted."""
+    """The annotation; its mistakes are recorded."""
     found = {name: tracks.get(name, Track(name, ())) for name in KNOWN}
     words = words_of(found["words"], checking)
     checking.words, checking.places = words_in_time(words), places_of(words)

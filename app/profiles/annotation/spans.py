@@ -1,4 +1,5 @@
-"""The spans of a track as values: what they say is checked word by word, and every mistake is kept with its time."""
+"""Converts the spans of tracks to values; their labels and attributes are checked, and mistakes recorded with their
+times."""
 
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
@@ -17,8 +18,8 @@ from .tracks import PHRASE_ATTRIBUTES, InTime, Track, TrackSpan
 SIDEWAYS = ("XEP", "XP", "XC", "XCC", "XOppC", "XOppP", "XOppEP")
 HEIGHTS = ("YUpperEP", "YUpperP", "YUpperC", "YCC", "YLowerC", "YLowerP", "YLowerEP")
 DEPTHS = ("ZNear", "ZMiddle", "ZFar")
-"""The sectors of gesture space as the gesture language names them (docs/gesture-language.md), from near the own side,
-from above, and from the body on."""
+"""The sectors of gesture space in the terms of the gesture language (docs/gesture-language.md), ordered from the hand's
+own side across, from the top down, and from the body outwards."""
 
 HANDS: Mapping[str, Hand] = {
     "rh": Hand.RIGHT,
@@ -38,10 +39,10 @@ PHASES: Mapping[str, PhaseKind] = {
     "pre-stroke_hold": PhaseKind.HOLD,
 }
 RESTS = ("clasped", "at_side", "in_pockets", "folded", "behind_back", "on_hips", "open")
-"""The poses in which hands rest (docs/realizer-arms.md)."""
+"""The rest poses of the hands (docs/realizer-arms.md)."""
 
 TOUCHING_S = 0.02
-"""By how much spans may overlap or stick out, as half a frame of video does."""
+"""The tolerance for overlapping or protruding spans: half a frame of video."""
 
 _LEXEME = re.compile(r"[A-Z][A-Z0-9_]*")
 _WORDS = re.compile(r"(\d+)(?:\s*-\s*(\d+))?")
@@ -50,8 +51,8 @@ Named = TypeVar("Named", bound=StrEnum)
 
 @dataclass(slots=True)
 class Checking:
-    """A file as it is checked: its mistakes so far, its timed words and where each is said, the lexemes that can be
-    played and the tags that there are (None: any), and whether any phrase says its hand."""
+    """The state of checking a file: the mistakes so far, the timed words and the places of each, the playable lexemes
+    and existing tags (None: any), and whether any phrase has a hand."""
 
     path: Path
     lexemes: Collection[str] | None = None
@@ -62,17 +63,18 @@ class Checking:
     mistakes: list[AnnotationMistake] = field(default_factory=list)
 
     def wrong(self, track: str, time_s: float | None, message: str) -> None:
-        """Notes a mistake."""
+        """Records a mistake."""
         self.mistakes.append(AnnotationMistake(self.path, message, track, time_s))
 
     def words_in(self, start_s: float, end_s: float) -> tuple[int, int] | None:
-        """The first and last word that a stretch of time touches."""
+        """The first and last word that overlap an interval."""
         inside = self.words.touching(start_s, end_s)
         return (inside[0].index, inside[-1].index) if inside else None
 
 
 def checked_times(track: Track, checking: Checking, *, overlapping: bool = False) -> Iterator[TrackSpan]:
-    """The spans that last, in order; those before 0, without duration or over the one before are mistakes."""
+    """The spans of positive duration, in order; spans before 0, without duration or overlapping the previous one are
+    mistakes."""
     last: TrackSpan | None = None
     for span in track.spans:
         if span.start_s < 0 or span.end_s <= span.start_s:
@@ -87,12 +89,12 @@ def checked_times(track: Track, checking: Checking, *, overlapping: bool = False
 
 
 def words_in_time(words: Iterable[Word]) -> InTime[Word]:
-    """The words, which have times."""
+    """The timed words."""
     return InTime.of(words, lambda word: (time_of(word).start_s, time_of(word).end_s))
 
 
 def places_of(words: Iterable[Word]) -> dict[str, list[int]]:
-    """The numbers of the words that are said alike, by what is said."""
+    """The numbers of the words by their normalized text."""
     places: dict[str, list[int]] = {}
     for word in words:
         places.setdefault(_bare(word.text), []).append(word.index)
@@ -100,13 +102,13 @@ def places_of(words: Iterable[Word]) -> dict[str, list[int]]:
 
 
 def words_of(track: Track, checking: Checking) -> tuple[Word, ...]:
-    """The words of a track, numbered; spans without a label are silence."""
+    """The numbered words of a track; spans without a label are silence."""
     spans = [span for span in checked_times(track, checking) if span.label]
     return tuple(Word(number, span.label, Interval(span.start_s, span.end_s)) for number, span in enumerate(spans))
 
 
 def tags_of(track: Track, checking: Checking) -> Iterator[TaggedWords]:
-    """The tags of a track, on the words in their time; tags may overlap."""
+    """The tags of a track, on the words within their time; tags may overlap."""
     for span in checked_times(track, checking, overlapping=True):
         words = checking.words_in(span.start_s + TOUCHING_S, span.end_s - TOUCHING_S)
         if words is None:
@@ -117,7 +119,7 @@ def tags_of(track: Track, checking: Checking) -> Iterator[TaggedWords]:
 
 
 def tag_of(span: TrackSpan, checking: Checking) -> str | None:
-    """The tag of a phrase, where it says one."""
+    """The tag of a phrase, if it has one."""
     tag = span.attributes.get("tag")
     if tag:
         _check_tag(tag, "phrases", span, checking)
@@ -125,7 +127,7 @@ def tag_of(span: TrackSpan, checking: Checking) -> str | None:
 
 
 def _check_tag(tag: str, track: str, span: TrackSpan, checking: Checking) -> None:
-    """Notes a tag that is no communicative function, which nothing that is said would ever have."""
+    """Records a mistake if a tag is not a communicative function, since no words could have it."""
     if checking.tags is not None and tag not in checking.tags:
         told = f"no function is called {tag!r}{did_you_mean(tag, checking.tags)} (docs/functions.md)"
         checking.wrong(track, span.start_s, told)
@@ -147,7 +149,7 @@ def phase_kind(span: TrackSpan, checking: Checking) -> PhaseKind | None:
 
 
 def rest_of(span: TrackSpan, checking: Checking) -> str | None:
-    """The rest after a unit; None where nothing is said."""
+    """The rest pose after a unit; None if not annotated."""
     rest = span.label.strip().lower().replace(" ", "_")
     if rest and rest not in RESTS:
         told = (
@@ -158,7 +160,7 @@ def rest_of(span: TrackSpan, checking: Checking) -> str | None:
 
 
 def lexeme_of(span: TrackSpan, checking: Checking) -> str:
-    """The lexeme of a phrase, which the library must be able to play."""
+    """The lexeme of a phrase, which must be in the gesture library."""
     lexeme = (span.label or span.attributes.get("lexeme", "")).strip().upper().replace(" ", "_").replace("-", "_")
     if not _LEXEME.fullmatch(lexeme):
         checking.wrong("phrases", span.start_s, f"{span.label!r} is no lexeme: letters, digits and _, a letter first")
@@ -169,14 +171,14 @@ def lexeme_of(span: TrackSpan, checking: Checking) -> str:
 
 
 def unknown_attributes(span: TrackSpan, checking: Checking) -> None:
-    """Notes what a phrase says that is no attribute of a phrase."""
+    """Records a mistake for each unknown attribute of a phrase."""
     for name in span.attributes.keys() - PHRASE_ATTRIBUTES:
         told = f"a phrase has no attribute {name!r}{did_you_mean(name, PHRASE_ATTRIBUTES)}"
         checking.wrong("phrases", span.start_s, told)
 
 
 def hand_of(span: TrackSpan, checking: Checking) -> Hand:
-    """The hand of a phrase, which must be said; where no phrase says it, the track is reported once."""
+    """The hand of a phrase, which is required; if no phrase has one, the track is reported once."""
     said = span.attributes.get("hand", "").strip().lower()
     if said not in HANDS and (said or checking.hands_said):
         checking.wrong("phrases", span.start_s, f"hand {said!r}; give RH, LH or 2H")
@@ -184,7 +186,7 @@ def hand_of(span: TrackSpan, checking: Checking) -> Hand:
 
 
 def path_of(span: TrackSpan, checking: Checking) -> PathForm:
-    """The form of the stroke's way; straight where nothing is said."""
+    """The form of the stroke's path, straight by default."""
     said = span.attributes.get("path", PathForm.STRAIGHT).strip().lower()
     if said not in set(PathForm):
         checking.wrong("phrases", span.start_s, f"path {said!r}; give straight or curved")
@@ -193,7 +195,7 @@ def path_of(span: TrackSpan, checking: Checking) -> PathForm:
 
 
 def position_of(span: TrackSpan, name: str, checking: Checking) -> Position | None:
-    """Where the hand is at the start (`from`) or end (`to`) of the stroke; None where nothing is said."""
+    """The position of the hand at the start (`from`) or end (`to`) of the stroke; None if not annotated."""
     said = span.attributes.get(name, "").split()
     if not said:
         return None
@@ -209,8 +211,8 @@ def position_of(span: TrackSpan, name: str, checking: Checking) -> Position | No
 
 
 def affiliate_of(span: TrackSpan, checking: Checking) -> tuple[int, int] | None:
-    """The words that a phrase means: their numbers (`3`, `3-4`), or the words themselves, those nearest to it in time;
-    None where nothing is said."""
+    """The lexical affiliate of a phrase, given by numbers (`3`, `3-4`) or by the words themselves, of which the nearest
+    occurrence in time is taken; None if not annotated."""
     said = span.attributes.get("affiliate", "").strip()
     if not said:
         return None

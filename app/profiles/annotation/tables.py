@@ -1,8 +1,8 @@
 """Reads and writes annotations as CSV and JSON (docs/profiles.md has both schemas).
 
-CSV has a row a span: `track,start_s,end_s,label` and, for phrases, a column for each attribute. JSON is one object,
-`{"tracks": {"phrases": [{"start_s", "end_s", "lexeme", "hand", …}]}}`, whose spans have their label under the track's
-own word (`text`, `tag`, `phase`, `lexeme`, `rest`) or `label`.
+CSV has one row per span: `track,start_s,end_s,label` and, for phrases, a column for each attribute. JSON is one object,
+`{"tracks": {"phrases": [{"start_s", "end_s", "lexeme", "hand", …}]}}`. The key of a span's label depends on the track
+(`text`, `tag`, `phase`, `lexeme`, `rest`), or is `label`.
 """
 
 import csv
@@ -20,11 +20,11 @@ from .tracks import LABELS, PHRASE_ATTRIBUTES, Track, TrackSpan, decoded, track_
 
 COLUMNS = ("track", "start_s", "end_s", "label")
 DELIMITERS = (",", ";", "\t")
-"""What spreadsheets put between cells, by the country."""
+"""The delimiters of spreadsheets, which depend on the locale."""
 
 
 def read_csv(content: bytes, path: Path) -> tuple[Track, ...]:
-    """The tracks of a table; raises AnnotationError with every column and row that is none."""
+    """The tracks of a table; raises AnnotationError with every invalid column and row."""
     lines = decoded(content, path).splitlines(keepends=True)
     delimiter = max(DELIMITERS, key=(lines or [""])[0].count)
     rows = csv.reader(lines, delimiter=delimiter, strict=True)
@@ -47,7 +47,7 @@ def read_csv(content: bytes, path: Path) -> tuple[Track, ...]:
 
 
 def _columns(header: Iterable[str], path: Path) -> list[str]:
-    """The names of the columns; raises AnnotationError with those that are missing, unknown or there twice."""
+    """The names of the columns; raises AnnotationError with those that are missing, unknown or duplicated."""
     columns = [name.strip().lower() for name in header]
     known = (*COLUMNS, *PHRASE_ATTRIBUTES)
     wrong = [f"the column {name} is missing" for name in COLUMNS if name not in columns]
@@ -60,7 +60,7 @@ def _columns(header: Iterable[str], path: Path) -> list[str]:
 
 
 def _row(columns: Sequence[str], cells: Sequence[str]) -> tuple[str, TrackSpan]:
-    """The track and the span of a row; raises ValueError with what is wrong with it."""
+    """The track and the span of a row; raises ValueError with the row's mistake."""
     if len(cells) != len(columns):
         raise ValueError(f"{len(cells)} cells; the header has {len(columns)}")
     row = {name: cell.strip() for name, cell in zip(columns, cells, strict=True)}
@@ -96,7 +96,7 @@ class _TracksFile(BaseModel):
 
 
 def read_json(content: bytes, path: Path) -> tuple[Track, ...]:
-    """The tracks of an object; raises AnnotationError with every span that is none."""
+    """The tracks of an object; raises AnnotationError with every invalid span."""
     try:
         file = _TracksFile.model_validate_json(decoded(content, path))
     except ValidationError as error:
@@ -107,7 +107,7 @@ def read_json(content: bytes, path: Path) -> tuple[Track, ...]:
 
 
 def write_json_tracks(tracks: Iterable[Track]) -> bytes:
-    """The tracks as `read_json` reads them, a span a line."""
+    """The tracks in the format of `read_json`, one span per line."""
     parts = []
     for track in tracks:
         lines = ",\n".join(f"   {json.dumps(_form(track.name, span), ensure_ascii=False)}" for span in track.spans)
@@ -128,7 +128,7 @@ def _span(track: str, span: _SpanForm) -> TrackSpan:
 
 
 def _mistakes(path: Path, error: ValidationError) -> Iterator[AnnotationMistake]:
-    """A mistake for each place: a value that could be of several types is one."""
+    """One mistake per location; pydantic reports one for each type of a union."""
     by_place = {tuple(map(str, found["loc"][:4])): found["msg"] for found in reversed(error.errors())}
     for place, message in reversed(by_place.items()):
         track, number, key = (*place[1:], "", "", "")[:3]

@@ -1,8 +1,8 @@
-"""Reads Praat's TextGrid, in its long or its short form: each tier of intervals is a track; intervals without a label
-are nothing, and tiers of points have no time to gesture in.
+"""Reads Praat's TextGrid in its long or short form. Each interval tier is a track; intervals without a label and point
+tiers are ignored.
 
-Of either form Praat itself reads the quoted texts, the numbers that stand alone and `<exists>`; the rest is for people.
-praatio reads the same, but does not say where something is wrong.
+Like Praat, reads only the quoted texts, the free-standing numbers and `<exists>` of either form; the rest is for human
+readers. praatio is not used, because it does not report the location of mistakes.
 """
 
 import re
@@ -15,11 +15,11 @@ from .tracks import Track, TrackSpan, decoded, track_of
 
 _TOKEN = re.compile(r'"(?:[^"]|"")*"|[^\s"]+')
 _KINDS = {"IntervalTier": 3, "TextTier": 2}
-"""The classes of tiers, and how many values each of their entries has."""
+"""The classes of tiers, and the number of values in each of their entries."""
 
 
 def read_textgrid(content: bytes, path: Path) -> tuple[Track, ...]:
-    """The tiers of a file; raises AnnotationError with every time that is none, and where the file breaks off."""
+    """The tiers of a file; raises AnnotationError with every invalid time, and if the file is truncated."""
     reading = _TextGridValues(decoded(content, path), path)
     try:
         tracks = tuple(reading.tracks())
@@ -31,11 +31,11 @@ def read_textgrid(content: bytes, path: Path) -> tuple[Track, ...]:
 
 
 class _BrokenError(ValueError):
-    """What is expected is not there, so that nothing after it can be understood."""
+    """An expected value is missing, so the rest of the file cannot be read."""
 
 
 class _TextGridValues:
-    """A file's values one after the other; `track` is the tier that is being read."""
+    """The sequence of a file's values; `track` is the current tier."""
 
     def __init__(self, text: str, path: Path) -> None:
         self._text, self._path = text, path
@@ -45,7 +45,7 @@ class _TextGridValues:
         self.mistakes: list[AnnotationMistake] = []
 
     def tracks(self) -> Iterator[Track]:
-        """The tiers of intervals in their order."""
+        """The interval tiers in order."""
         if [next(self._values, ""), next(self._values, "")] != ['"ooTextFile"', '"TextGrid"']:
             raise _BrokenError('not a TextGrid: it begins with "ooTextFile" and "TextGrid"')
         self._number(), self._number()
@@ -61,13 +61,13 @@ class _TextGridValues:
                 yield track_of(self.track, (span for span in spans if span is not None and span.label))
 
     def _span(self, values: int) -> TrackSpan | None:
-        """An interval, or a point as one that does not last; None where a time is none."""
+        """An interval, or a point as an interval without duration; None if a time is invalid."""
         times = [self._number() for _value in range(values - 1)]
         label = self._quoted().strip()
         return None if None in times else TrackSpan(float(times[0] or 0.0), float(times[-1] or 0.0), label)
 
     def _number(self) -> float | None:
-        """A number, or None with a mistake where a word stands for it."""
+        """A number; None, with a mistake recorded, for anything else."""
         value = self._next()
         number = _number_of(value)
         if number is None and value.startswith('"'):
@@ -96,7 +96,7 @@ class _TextGridValues:
         return value
 
     def _found(self) -> Iterator[str]:
-        """The values, and what stands after `=` where a value should."""
+        """The values, and any other text after `=`."""
         before, last = "", 0
         for match in _TOKEN.finditer(self._text):
             token = match[0]

@@ -1,10 +1,10 @@
-"""Tracks as every format of annotation has them: named rows of spans, each with a label and perhaps attributes; how the
-text of their files is read (its encoding, and XML with the line of each element); and an index of spans by time, so
-that an hour of annotation is read in seconds.
+"""Annotation tracks, common to all formats: named sequences of spans with a label and optional attributes. Also decodes
+the text of annotation files, parses XML with line numbers, and indexes spans by time, so that an hour of annotation is
+read in seconds.
 
-Times are seconds. A track `phrases.hand` gives the attribute `hand` of the spans of `phrases`: formats whose spans have
-only labels (ELAN, TextGrid) write attributes so, each in the time of its span. Tracks `tags`, `tags_2`, … are one, for
-spans that overlap need a row each where a tool draws them.
+Times are seconds. A track `phrases.hand` contains the attribute `hand` of the spans of `phrases` at the same times;
+formats whose spans have only labels (ELAN, TextGrid) store attributes this way. Tracks `tags`, `tags_2`, … are merged,
+since annotation tools need separate rows for overlapping spans.
 """
 
 import re
@@ -27,7 +27,7 @@ Thing = TypeVar("Thing")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class InTime(Generic[Thing]):
-    """Things in order of their starts; they may overlap. `latest_ends` has for each the latest end up to it."""
+    """An index of intervals, which may overlap, ordered by start. `latest_ends` is the running maximum of the ends."""
 
     things: tuple[Thing, ...]
     starts: tuple[float, ...]
@@ -36,30 +36,30 @@ class InTime(Generic[Thing]):
 
     @classmethod
     def of(cls, things: Iterable[Thing], times: Callable[[Thing], tuple[float, float]]) -> "InTime[Thing]":
-        """The things; `times` has the start and end of one."""
+        """An index of these items; `times` returns the start and end of an item."""
         timed = sorted(((*times(thing), thing) for thing in things), key=lambda each: each[:2])
         ends = tuple(end for _start, end, _thing in timed)
         starts = tuple(start for start, _end, _thing in timed)
         return cls(tuple(thing for _start, _end, thing in timed), starts, ends, tuple(accumulate(ends, max)))
 
     def touching(self, start: float, end: float) -> tuple[Thing, ...]:
-        """Those that share time with the stretch."""
+        """The items that overlap the interval."""
         first, after = bisect_right(self.latest_ends, start), bisect_left(self.starts, end)
         return tuple(self.things[place] for place in range(first, after) if self.ends[place] > start)
 
     def within(self, start: float, end: float) -> tuple[Thing, ...]:
-        """Those that lie in the stretch."""
+        """The items within the interval."""
         first, after = bisect_left(self.starts, start), bisect_right(self.starts, end)
         return tuple(self.things[place] for place in range(first, after) if self.ends[place] <= end)
 
     def any_holds(self, start: float, end: float) -> bool:
-        """Whether the stretch lies in one of them."""
+        """Whether the interval lies within one of the items."""
         begun = bisect_right(self.starts, start)
         return begun > 0 and self.latest_ends[begun - 1] >= end
 
 
 def decoded(content: bytes, path: Path) -> str:
-    """The text without its mark; raises AnnotationError with the place of the first byte that is none."""
+    """The text without its byte order mark; raises AnnotationError with the position of the first invalid byte."""
     encoding = "utf-16" if content.startswith((BOM_UTF16_BE, BOM_UTF16_LE)) else "utf-8-sig"
     try:
         return content.decode(encoding)
@@ -70,8 +70,7 @@ def decoded(content: bytes, path: Path) -> str:
 
 
 def xml_root(content: bytes, path: Path, expected: str) -> etree._Element:
-    """The root of a document, which must be called `expected`, names without their namespaces; raises
-    AnnotationError."""
+    """The root of a document, which must be an element `expected`; namespaces are removed. Raises AnnotationError."""
     parser = etree.XMLParser(resolve_entities=False, no_network=True, load_dtd=False)
     try:
         root = etree.fromstring(content, parser)
@@ -85,7 +84,7 @@ def xml_root(content: bytes, path: Path, expected: str) -> etree._Element:
 
 
 def number_of(element: etree._Element, name: str) -> float | None:
-    """An attribute as a number; None where it is missing or none."""
+    """An attribute as a number; None if it is missing or not a number."""
     try:
         number = float(element.get(name, ""))
     except ValueError:
@@ -114,22 +113,22 @@ TRACK_NAMES: Mapping[str, str] = MappingProxyType(
         "heads": "head",
     }
 )
-"""The names that people give to tracks, by ours."""
+"""Our name of a track by common names of it."""
 
 NEEDED = ("phases", "phrases", "units", "words")
 KNOWN = frozenset({*NEEDED, "tags", "segments", "head", "gaze", "posture"})
 PHRASE_ATTRIBUTES = frozenset({"lexeme", "hand", "path", "from", "to", "affiliate", "tag"})
-"""What a phrase may say of itself beside its time."""
+"""The attributes of a phrase."""
 _NUMBERED = re.compile(r"_\d+$")
 LABELS: Mapping[str, str] = MappingProxyType(
     {"words": "text", "tags": "tag", "phases": "phase", "phrases": "lexeme", "units": "rest"}
 )
-"""What the label of a span is, by track, where a format has a name for it."""
+"""The name of a span's label by track, for formats that name labels."""
 
 
 @dataclass(frozen=True, slots=True)
 class TrackSpan:
-    """A stretch of a track."""
+    """An interval of a track, with its label and attributes."""
 
     start_s: float
     end_s: float
@@ -143,14 +142,14 @@ class TrackSpan:
 
 @dataclass(frozen=True, slots=True)
 class Track:
-    """A row of spans, in order of time."""
+    """A sequence of spans, in order of time."""
 
     name: str
     spans: tuple[TrackSpan, ...]
 
 
 def track_name(name: str) -> str:
-    """Our name for a track: without what stands before (`gesture.phrase`), but for the attributes of phrases."""
+    """Our name for a track: without a prefix (`gesture.phrase`), except for tracks of phrase attributes."""
     parts = [_NUMBERED.sub("", part) for part in name.strip().lower().replace(" ", "_").split(".")]
     if len(parts) > 1 and parts[-1] in PHRASE_ATTRIBUTES:
         return f"{TRACK_NAMES.get(parts[-2], parts[-2])}.{parts[-1]}"
@@ -158,12 +157,12 @@ def track_name(name: str) -> str:
 
 
 def track_of(name: str, spans: Iterable[TrackSpan]) -> Track:
-    """The track by our name, its spans in order of time."""
+    """The track under our name, with its spans in order of time."""
     return Track(track_name(name), tuple(sorted(spans, key=lambda span: (span.start_s, span.end_s))))
 
 
 def rows_of(track: Track) -> Iterator[Track]:
-    """The track as rows in which no span overlaps another: `tags`, `tags_2`, …"""
+    """The track split into rows without overlapping spans: `tags`, `tags_2`, …"""
     rest, number = track.spans, 1
     while rest or number == 1:
         row: list[TrackSpan] = []
@@ -175,7 +174,7 @@ def rows_of(track: Track) -> Iterator[Track]:
 
 
 def merged(tracks: Iterable[Track]) -> Iterator[Track]:
-    """The tracks, those of one name in one."""
+    """The tracks; tracks of the same name are merged."""
     by_name: dict[str, list[TrackSpan]] = {}
     for track in tracks:
         by_name.setdefault(track.name, []).extend(track.spans)
@@ -183,7 +182,7 @@ def merged(tracks: Iterable[Track]) -> Iterator[Track]:
 
 
 def with_attribute_tracks(tracks: Iterable[Track]) -> Iterator[Track]:
-    """The tracks, attributes of spans as tracks of their own: the converse of `with_attributes`."""
+    """The tracks, with attributes of spans as separate tracks: the inverse of `with_attributes`."""
     for track in tracks:
         yield replace(track, spans=tuple(replace(span, attributes={}) for span in track.spans))
         names = dict.fromkeys(name for span in track.spans for name in span.attributes)
@@ -196,7 +195,7 @@ def with_attribute_tracks(tracks: Iterable[Track]) -> Iterator[Track]:
 
 
 def with_attributes(tracks: Iterable[Track]) -> Iterator[Track]:
-    """The tracks, each span with the attributes that tracks of attributes say in its time."""
+    """The tracks, with the labels of attribute tracks as attributes of the spans at the same time."""
     tracks = tuple(merged(tracks))
     for track in tracks:
         if "." not in track.name:
@@ -205,7 +204,7 @@ def with_attributes(tracks: Iterable[Track]) -> Iterator[Track]:
 
 
 def stray_attributes(tracks: Iterable[Track]) -> Iterator[tuple[Track, TrackSpan]]:
-    """The spans of tracks of attributes in whose time there is nothing to have the attribute."""
+    """The spans of attribute tracks at whose time there is no span to have the attribute."""
     tracks = tuple(merged(tracks))
     for track in tracks:
         spans = InTime.of(track.spans, lambda span: (span.start_s, span.end_s))
@@ -214,7 +213,7 @@ def stray_attributes(tracks: Iterable[Track]) -> Iterator[tuple[Track, TrackSpan
 
 
 def _attribute_tracks(track: Track, tracks: Iterable[Track]) -> Iterator[tuple[str, Track]]:
-    """The tracks of a track's attributes, by the name of the attribute."""
+    """The attribute tracks of a track, by the name of the attribute."""
     for each in tracks:
         if each.name.startswith(f"{track.name}."):
             yield each.name.rpartition(".")[2], each

@@ -1,1 +1,1 @@
-"""Profiles as files."""
+"""Reads and writes profiles as YAML files."""

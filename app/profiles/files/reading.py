@@ -1,5 +1,5 @@
-"""Reads a profile from the YAML that people edit, by its keys and the ranges of its numbers (docs/profiles.md): every
-mistake at once, with file, line and column.
+"""Reads a profile from its YAML file and checks keys and ranges (docs/profiles.md). All mistakes are reported at once,
+with file, line and column.
 """
 
 from collections.abc import Collection, Iterator, Mapping
@@ -30,23 +30,23 @@ from ..profile import (
 )
 
 Known = Collection[str] | None
-"""Names that there are; None for any."""
+"""The known names; None for any."""
 
 ROUNDING = 0.02
-"""By how much probabilities of three digits may sum to more than 1."""
+"""The tolerance of sums of probabilities above 1, because they are rounded to three digits."""
 
 
 def read_profile(path: Path, lexemes: Known = None, tags: Known = None) -> Profile:
-    """The profile in a file, its name that of the file; `lexemes` are those that can be played and `tags` those that
-    words can have (None: any).
+    """The profile in a file, named after the file; `lexemes` are the playable lexemes and `tags` the tags that words
+    can have (None: any).
 
-    Raises AuthoringError with every mistake at its place.
+    Raises AuthoringError with every mistake and its location.
     """
     return _read(Source(path), path.stem, lexemes, tags)
 
 
 def read_profile_text(text: str, name: str, lexemes: Known = None, tags: Known = None) -> Profile:
-    """The profile of that name in a file's text; raises as `read_profile` does."""
+    """The profile in a file's text, under that name; raises as `read_profile` does."""
     return _read(Source(Path(f"{name}.yaml"), text), name, lexemes, tags)
 
 
@@ -88,7 +88,7 @@ class LexemeForm(Entry):
 
 
 def _several(said: object) -> object:
-    """One share for all sizes of units is a list of one."""
+    """Converts a single share, for units of all sizes, to a list of one."""
     return said if isinstance(said, list) else [said]
 
 
@@ -189,7 +189,7 @@ def _unknown_tags(form: ProfileForm, known: Known) -> Iterator[tuple[_Place, str
 
 
 def _gestures(form: ProfileForm) -> Iterator[_Place]:
-    """Where lexemes are named besides their own table."""
+    """The places where lexemes are named outside their own table."""
     for tag, habit in form.tags.items():
         yield from (("tags", tag, "gestures", lexeme) for lexeme in habit.gestures)
     for name, row in form.follows.items():

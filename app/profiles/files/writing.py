@@ -1,6 +1,7 @@
-"""Writes a profile as YAML that people read: numbers of three digits, a habit a line.
+"""Writes a profile as readable YAML: numbers of three digits, one habit per line.
 
-What is rarer than `SHOWN` is not written: a row of what follows what shares what it leaves among what it does not name.
+Probabilities below `SHOWN` are not written. In the tables of successors the remaining probability of a row is shared
+among the lexemes it does not name.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -30,7 +31,7 @@ HEADER = """\
 
 
 def profile_yaml(profile: Profile) -> bytes:
-    """The profile as its file."""
+    """The profile as the text of its YAML file."""
     lines = [
         f"description: {_text(profile.description)}",
         f"annotated_s: {_number(profile.annotated_s)}",

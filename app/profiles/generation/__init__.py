@@ -1,2 +1,2 @@
-"""From a profile and timed words to a gesture script, in the sixteen steps of NGS §3.3 (`generating.py` has them in
-order)."""
+"""Generates a gesture script from a profile and timed words, in the sixteen steps of NGS §3.3 (listed in
+`generating.py`)."""

@@ -1,10 +1,10 @@
-"""Candidates (NGS §3.3, steps 1 to 3): the words as places for strokes, and what could be made on each, of what may be
-played at all: the gestures of the behaviour table, less those that a line forbids.
+"""Candidates (NGS §3.3, steps 1 to 3): the words on which strokes may fall, and the candidate gestures of each. The
+playable gestures are those of the behaviour table, without those that a line forbids.
 
-A gesture is a candidate for a tag if it is likely enough among the gestures that come with it (the paper takes P(g∣s) >
-.1). Its stroke may fall on the tag's last word, and, where the tag is in the rheme of its segment, on the focus. The
-rheme is the segment from its first verb on, the focus the most emphasised of its words, the last of equals; the paper
-has both marked by hand.
+A gesture is a candidate for a tag if it is probable enough among the gestures that accompany the tag (the paper
+requires P(g∣s) > .1). Its stroke may fall on the tag's last word, and, if the tag is in the rheme of its segment, on
+the focus. The rheme is the part of the segment from its first verb on; the focus is the most emphasised word of the
+rheme, the last of equals. In the paper both are annotated manually.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
@@ -20,9 +20,8 @@ from ..segments import segments_of, time_of
 
 @dataclass(frozen=True, slots=True)
 class PlayableGesture:
-    """A lexeme that the table offers: its forms by the hands that may make it, how long its stroke lasts and which part
-    of it lies before the emphasis, its size in [0, 1], and the lemmas of which the words around must have one (none:
-    any words)."""
+    """A playable lexeme: its forms by hand, the duration of its stroke and the share of it before the emphasis, its
+    size in [0, 1], and the lemmas of which one must occur nearby (empty: none is required)."""
 
     forms: Mapping[Hand, Forms]
     stroke_s: float
@@ -33,27 +32,27 @@ class PlayableGesture:
 
 @dataclass(frozen=True, slots=True)
 class ClosedWords:
-    """Words `first` to `last`, on which none of `lexemes` may be made; None stands for all gestures."""
+    """The words from `first` to `last`, on which no gesture of `lexemes` (None: no gesture at all) may fall."""
 
     first: int
     last: int
     lexemes: Collection[str] | None = None
 
     def closes(self, word: int, lexeme: str) -> bool:
-        """Whether a stroke of the lexeme on the word is out."""
+        """Whether a stroke of the lexeme on the word is forbidden."""
         return self.first <= word <= self.last and (self.lexemes is None or lexeme in self.lexemes)
 
 
 @dataclass(frozen=True, slots=True)
 class Repertoire:
-    """The gestures by lexeme, what is closed, and when the hands are taken by other gestures."""
+    """The playable gestures by lexeme, the closed words, and the times at which other gestures use the hands."""
 
     gestures: Mapping[str, PlayableGesture]
     closed: tuple[ClosedWords, ...] = ()
     taken: tuple[Interval, ...] = ()
 
     def allows(self, lexeme: str, word: int, lemmas: Collection[str]) -> bool:
-        """Whether the lexeme may be made on a word that has these lemmas about it."""
+        """Whether the lexeme may be made on a word with these lemmas nearby."""
         gesture = self.gestures.get(lexeme)
         if gesture is None or any(each.closes(word, lexeme) for each in self.closed):
             return False
@@ -63,16 +62,16 @@ class Repertoire:
 THRESHOLD = 0.02
 
 VERB_PHRASE = "initial_verb_phrase"
-"""The tag of the first verb of a clause, with which its rheme begins."""
+"""The tag of the first verb of a clause, at which the rheme begins."""
 
 LEMMAS_NEAR = 2
-"""A gesture that needs one of its lemmas finds it no more words away (as the plan of moments has it)."""
+"""The largest distance, in words, of a lemma that a gesture requires (as in the plan of moments)."""
 
 
 @dataclass(frozen=True, slots=True)
 class StrokeWord:
-    """A word on which a stroke may fall: its end, its segment, how likely each lexeme is there, and the likeliest tag
-    of each with its words."""
+    """A word on which a stroke may fall: its end, its segment, the probability of each lexeme, and the most probable
+    tag for each lexeme with the tag's words."""
 
     word: int
     end_s: float
@@ -84,7 +83,7 @@ class StrokeWord:
 def places_of(
     profile: Profile, repertoire: Repertoire, utterance: Utterance, tags: Sequence[TaggedWords]
 ) -> tuple[StrokeWord, ...]:
-    """The places of a line in order of time; those where nothing can be made are none."""
+    """The places of a line in order of time, without those that have no candidate."""
     words = {word.index: word for word in utterance.words if word.interval is not None}
     segments = segments_of(utterance.words)
     lemmas = _lemmas(utterance)
@@ -107,7 +106,7 @@ def places_of(
 
 
 def _candidates(habit: TagHabit) -> Iterator[tuple[str, float]]:
-    """The gestures that are likely enough with a tag; they have the likelihood of the others too."""
+    """The gestures that are probable enough with a tag; the probability of the others is shared among them."""
     total = sum(habit.lexemes.values())
     likely = {lexeme: share for lexeme, share in habit.lexemes.items() if share > THRESHOLD * total}
     scale = total / sum(likely.values()) if likely else 0.0
@@ -117,7 +116,7 @@ def _candidates(habit: TagHabit) -> Iterator[tuple[str, float]]:
 def _words_for(
     tag: TaggedWords, segments: Sequence[tuple[int, int]], words: Mapping[int, Word], tags: Sequence[TaggedWords]
 ) -> Iterable[int]:
-    """The tag's own word, and the focus of the rheme that it is in."""
+    """The tag's last word, and the focus of the rheme that contains it."""
     own = [word for word in range(tag.first, tag.last + 1) if word in words]
     if not own:
         return ()

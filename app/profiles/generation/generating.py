@@ -1,20 +1,20 @@
-"""A line's gestures in a speaker's way: the sixteen steps of NGS §3.3, in their order.
+"""Generates a line's gestures in a speaker's style, by the sixteen steps of NGS §3.3.
 
      1–3  words, tags, candidates                                   `candidates`
      4, 5  the sequence of gestures at the speaker's rate, and hands `sequence`
-     6    the form of the hand is the library's for the lexeme, in the size of the speaker's
-     7, 8  units; a preparation where there is time                  `phases`
-     9    where strokes lead from and to: an occurrence of the speaker's GestureDB
-    10–13 strokes and their times, what gives way                    `phases`
+     6    the hand shape: the library's for the lexeme, in the speaker's size
+     7, 8  units; a preparation if there is time                     `phases`
+     9    the start and end of strokes: an occurrence in the speaker's GestureDB
+    10–13 strokes, their times, conflicts                            `phases`
     14–16 holds, retractions, the script                             `phases`, `script`
 
-Everything that is drawn is drawn from the seed and the words.
+All random draws depend on the seed and the words only.
 
-Step 4 is made segment by segment. The paper has one sequence for a whole text. Drawn so, the gestures of a long text
-crowd in one stretch and are rare in another, as chance has it: 9 % were more than 4 s apart, 4.5 % of the speaker's,
-and 40 % of units were single gestures, 28 % of the speaker's (`python -m benchmarks.profiles`; now 34 %). Here each
-segment has what the rate allots to its time, and what the segments before it were short of or had too much, one gesture
-at most. Times are seconds.
+Step 4 runs segment by segment. The paper draws one sequence for a whole text, by which the gestures of a long text
+cluster by chance: 9 % were more than 4 s apart, against 4.5 % of the speaker's, and 40 % of units were single gestures,
+against 28 % of the speaker's (`python -m benchmarks.profiles`; now 34 %). Here each segment has the number of gestures
+that the rate implies for its duration, plus the deficit or minus the surplus of the segments before it, at most one
+gesture. Times are seconds.
 """
 
 import random
@@ -47,15 +47,16 @@ from .script import GestureScript, ScriptedGesture, ScriptedUnit
 from .sequence import Drawn, drawn_gestures, drawn_hands
 
 PREPARED_S = 0.5
-"""With less time than this before its stroke a gesture is not prepared anew."""
+"""A gesture with less time than this before its stroke has no preparation of its own."""
 
 LEAST_MOVED_S = 0.005
-"""What is moved by less is not said to be."""
+"""Smaller shifts of a gesture are not reported."""
 
 
 @dataclass(frozen=True, slots=True)
 class Speaker:
-    """Who gestures, what may be made, and the seed; `likeliest` has the likeliest sequence instead of one drawn."""
+    """The speaker's profile, the repertoire and the seed; `likeliest` selects the most probable sequence instead of a
+    drawn one."""
 
     profile: Profile
     repertoire: Repertoire
@@ -65,7 +66,7 @@ class Speaker:
 
 @dataclass(frozen=True, slots=True)
 class _Made:
-    """A gesture that found its time."""
+    """A gesture that has been scheduled."""
 
     drawn: Drawn
     hand: Hand
@@ -73,7 +74,7 @@ class _Made:
 
 
 def generate(speaker: Speaker, utterance: Utterance, tags: Sequence[TaggedWords]) -> GestureScript:
-    """The gesture script of a line whose words are timed; nothing where none is."""
+    """The gesture script of a line; empty if no word is timed."""
     profile, repertoire = speaker.profile, speaker.repertoire
     words = [word for word in utterance.words if word.interval is not None]
     rng = random.Random(f"{speaker.seed} {profile.name} {' '.join(word.text for word in words)}")
@@ -94,8 +95,8 @@ def generate(speaker: Speaker, utterance: Utterance, tags: Sequence[TaggedWords]
 
 
 def _in_turn(repertoire: Repertoire, wanted: Sequence[_Made]) -> tuple[list[_Made], list[ScriptedGesture]]:
-    """Those for which there is time after the one before, and the others (step 11). Where there is too little, the one
-    before is moved forward by half of what lacks, if it can be, and this one back by the rest."""
+    """The gestures for which there is time after the previous one, and the others (step 11). If time is short, the
+    previous gesture is made earlier by half of the missing time, if possible, and this one later by the rest."""
     made: list[_Made] = []
     given_up: list[ScriptedGesture] = []
     for each in wanted:
@@ -116,12 +117,12 @@ def _in_turn(repertoire: Repertoire, wanted: Sequence[_Made]) -> tuple[list[_Mad
 
 
 def _free_s(repertoire: Repertoire, made: Sequence[_Made], following: _Made) -> float:
-    """When the hands are free for the next stroke."""
+    """The time from which the hands are free for the next stroke."""
     return made[-1].timed.strokes[0].end_s + _way_s(repertoire, made[-1], following) if made else 0.0
 
 
 def _earlier(repertoire: Repertoire, made: Sequence[_Made], most_s: float) -> _Made:
-    """The last of those made, earlier by so much, or as far as what is before it lets it."""
+    """The last scheduled gesture, made earlier by this much, or by as much as the one before it allows."""
     *others, last = made
     timed = last.timed.shifted(
         -max(0.0, min(most_s, last.timed.strokes[0].start_s - _free_s(repertoire, others, last)))
@@ -130,7 +131,7 @@ def _earlier(repertoire: Repertoire, made: Sequence[_Made], most_s: float) -> _M
 
 
 def _way_s(repertoire: Repertoire, one: _Made, other: _Made) -> float:
-    """The least time from the stroke of one gesture to that of the next."""
+    """The minimum time between the strokes of two successive gestures."""
     gestures = repertoire.gestures[one.drawn.lexeme], repertoire.gestures[other.drawn.lexeme]
     return transition_times(
         gestures[0].forms[one.hand], gestures[1].forms[other.hand], amounts=(gestures[0].amount, gestures[1].amount)
@@ -150,7 +151,7 @@ def _given_up(each: _Made, reason: str) -> ScriptedGesture:
 
 
 def _struck(speaker: Speaker, each: _Made, following: _Made | None, words: Sequence[Word], rng: random.Random) -> _Made:
-    """The gesture with its after-strokes (steps 10 and 12), which leave the way to the next."""
+    """The gesture with its after-strokes (steps 10 and 12), which leave enough time before the next gesture."""
     until_s = inf
     if following is not None:
         until_s = following.timed.strokes[0].start_s - _way_s(speaker.repertoire, each, following)
@@ -162,7 +163,7 @@ def _struck(speaker: Speaker, each: _Made, following: _Made | None, words: Seque
 def _script(
     speaker: Speaker, made: Sequence[_Made], end_s: float, rng: random.Random
 ) -> tuple[list[ScriptedGesture], tuple[ScriptedUnit, ...]]:
-    """The gestures with their bounds and forms, and their units."""
+    """The script: the gestures with their bounds and forms, and their units."""
     profile, strokes = speaker.profile, [each.timed for each in made]
     segments = [each.drawn.place.segment for each in made]
     bounds = list(bounds_of(profile.phases, strokes, joined(profile, strokes, segments, rng)))
@@ -195,7 +196,7 @@ def _scripted(each: _Made, bounds: Bounds, name: str) -> ScriptedGesture:
 
 
 def _moved(moved_s: float) -> str | None:
-    """Why a gesture is not where its word has it."""
+    """The reason why a gesture is not at the time of its word."""
     if abs(moved_s) < LEAST_MOVED_S:
         return None
     return f"{abs(moved_s):.2f} s " + (
@@ -206,8 +207,8 @@ def _moved(moved_s: float) -> str | None:
 def _placed(
     gesture: ScriptedGesture, profile: Profile, before: ScriptedGesture | None, rng: random.Random
 ) -> ScriptedGesture:
-    """The gesture where the speaker made it once (step 9): where there is no time for a preparation, from where the one
-    before it ended, if he ever did."""
+    """The gesture with the positions of one of the speaker's occurrences (step 9). Without time for a preparation, an
+    occurrence that starts where the previous gesture ended is preferred."""
     known = [each for each in profile.database if each.lexeme == gesture.lexeme]
     fitting = [each for each in known if each.hand is gesture.hand] or known
     if before is not None and before.end is not None and gesture.strokes[0].start_s - before.relax_s < PREPARED_S:
@@ -219,7 +220,7 @@ def _placed(
 
 
 def _sized(gesture: ScriptedGesture, profile: Profile, playable: PlayableGesture) -> ScriptedGesture:
-    """The gesture with its emphasis, as large as the speaker makes it, and on this occasion."""
+    """The gesture with its emphasis and its size, by the speaker's form and the occurrence."""
     known = [_size(each) for each in profile.database if each.lexeme == gesture.lexeme]
     own = size_of([gesture.start, gesture.end]) / fmean(known) if gesture.start and gesture.end and known else 1.0
     size = form_of(profile, gesture.lexeme).size * own
@@ -247,7 +248,7 @@ def _units(
 
 
 MOST_OWED = 1.0
-"""How many gestures a segment makes up at most for those before it."""
+"""The largest deficit or surplus of gestures that is carried over to the next segment."""
 
 
 def paced_gestures(
@@ -258,7 +259,7 @@ def paced_gestures(
     rng: random.Random,
     likeliest: bool = False,
 ) -> tuple[Drawn, ...]:
-    """The gestures on the places of words in time."""
+    """The sequence of gestures on the places of a line, at the speaker's rate in each segment."""
     made: list[Drawn] = []
     owed = 0.0
     for segment, lasting_s in enumerate(_segments_s(words)):
@@ -272,7 +273,7 @@ def paced_gestures(
 
 
 def _segments_s(words: Sequence[Word]) -> Iterator[float]:
-    """How long each segment is spoken, with so much of the pause before it as counts."""
+    """The duration of each segment, including the part of the preceding pause that counts as speech."""
     segments = segments_of(words)
     until_s = [spoken_s(words, segments[:number]) for number in range(1, len(segments) + 1)]
     yield from (other - one for one, other in pairwise((0.0, *until_s)))

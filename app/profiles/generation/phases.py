@@ -1,19 +1,20 @@
-"""When the strokes of a gesture are, and what gives way where there is no time (NGS §3.3, steps 10 to 13); and how
-gestures are joined to units (steps 7, 8, 14 and 15): where hands hold on, and where they rest. Times are seconds.
+"""Schedules strokes and resolves conflicts (NGS §3.3, steps 10 to 13), and joins gestures to units with holds and rests
+(steps 7, 8, 14 and 15). Times are seconds.
 
-The main stroke ends with its word, by the speaker's own offset and deviation, and then earlier by the lead; an
-independent hold begins with its word. After-strokes end with the words that follow, at least `SPACING_S` apart, and
-lead by less. The stroke lasts as long as its clip, which is never time-warped. Where a stroke would come sooner after
-the one before than hands can go, it is moved back by at most `MOVED_S`, else the gesture is given up (`generating`
-moves the one before it forward by half of that; the paper moves back alone, by which gestures came later on average
-than the speaker's); after-strokes that would be in the next gesture's way are not made (the paper makes them and moves
-or gives up the next gesture).
+The main stroke ends with its word, plus the speaker's offset and a random deviation, minus the lead; an independent
+hold begins with its word. After-strokes end with the following words, at least `SPACING_S` apart, with a smaller lead.
+The stroke lasts as long as its clip, which is never time-warped. If the hands cannot reach the start of a stroke in
+time after the previous one, the stroke is moved later by at most `MOVED_S`; otherwise the gesture is dropped.
+(`generating` moves the previous gesture earlier by half of that. The paper only moves gestures later; gestures were
+then later on average than the speaker's.) After-strokes that conflict with the next gesture are dropped (the paper
+keeps them, and moves or drops the next gesture).
 
-Neighbours in one segment whose strokes are nearer than the speaker's `merge_within_s` are one unit (the paper), by the
-share in which the speaker joins another to a unit that has so many gestures (ours: with one share for all sizes 11 % of
-units were of other sizes than the speaker's, so 7.5 %, `python -m benchmarks.profiles`); so are those that leave no
-time for a retraction and a preparation, in whatever segments. Within a unit a gesture is prepared from the end of the
-one before it, which is held until then; a unit ends in one retraction, to the rest that the time to the next unit says.
+Neighbours in one segment whose strokes are nearer than the speaker's `merge_within_s` may be one unit (the paper). They
+are joined with a probability that depends on the number of gestures in the unit (ours: with one share for all sizes
+11 % of units differed in size from the speaker's, with this 7.5 %, `python -m benchmarks.profiles`). Gestures that
+leave no time for a retraction and a preparation are always joined, even across segments. Within a unit a gesture is
+prepared from the end of the previous one, which is held until then. A unit ends in one retraction, to a rest that
+depends on the time to the next unit.
 """
 
 import random
@@ -28,31 +29,30 @@ from ..profile import FormHabit, LexemeHabit, PhaseHabit, Profile, RestHabit, Sp
 from ..segments import AFTER_STROKE_S, SHORTEST_PREPARATION_S, SHORTEST_REST_S, SHORTEST_RETRACTION_S, time_of
 
 SPACING_S = 0.35
-"""The least time from the end of a stroke to that of the next of the same gesture."""
+"""The minimum time between the ends of successive strokes of a gesture."""
 
 MOVED_S = 0.5
 MOST_STROKES = 6
 LONGEST_HELD_S = 1.0
-"""How long an independent hold lasts at most."""
+"""The maximum duration of an independent hold."""
 
 
 @dataclass(frozen=True, slots=True)
 class TimedStrokes:
-    """The strokes of a gesture, and by how much they were moved back, or forward below 0; `held` is an independent
-    hold."""
+    """The strokes of a gesture, and their shift (positive: later); `held` marks an independent hold."""
 
     strokes: tuple[Interval, ...]
     held: bool
     moved_s: float = 0.0
 
     def shifted(self, by_s: float) -> "TimedStrokes":
-        """The same, later by so much."""
+        """The strokes, later by this much."""
         strokes = tuple(Interval(each.start_s + by_s, each.end_s + by_s) for each in self.strokes)
         return TimedStrokes(strokes, self.held, self.moved_s + by_s)
 
 
 def drawn_main(profile: Profile, lexeme: str, word: Word, stroke_s: float, rng: random.Random) -> TimedStrokes:
-    """The main stroke of a gesture on a word, before it meets its neighbours."""
+    """The main stroke of a gesture on a word, before conflicts with its neighbours are resolved."""
     habit = habit_of(profile, lexeme)
     time = time_of(word)
     if rng.random() < habit.held:
@@ -63,7 +63,8 @@ def drawn_main(profile: Profile, lexeme: str, word: Word, stroke_s: float, rng: 
 
 
 def after(timed: TimedStrokes, free_s: float) -> TimedStrokes | None:
-    """The gesture so late that its stroke begins at `free_s` or later; None where that is too late."""
+    """The gesture, moved later if necessary so that its stroke begins at `free_s` or after; None if that is too
+    late."""
     late_s = free_s - timed.strokes[0].start_s
     if late_s <= 0:
         return timed
@@ -76,7 +77,7 @@ def after(timed: TimedStrokes, free_s: float) -> TimedStrokes | None:
 def with_after_strokes(
     profile: Profile, lexeme: str, timed: TimedStrokes, following: Sequence[Word], *, until_s: float, rng: random.Random
 ) -> TimedStrokes:
-    """The gesture with as many strokes as are drawn, on the words that follow and before `until_s`."""
+    """The gesture with a random number of after-strokes, on the following words and before `until_s`."""
     habit = habit_of(profile, lexeme)
     strokes = min(MOST_STROKES, max(1, round(drawn(habit.strokes, rng))))
     if timed.held or strokes == 1:
@@ -99,18 +100,18 @@ def _after_strokes(
 
 
 def habit_of(profile: Profile, lexeme: str) -> LexemeHabit:
-    """How the speaker makes a lexeme; one that the profile does not know is made in one stroke, with its word."""
+    """The speaker's habit for a lexeme; by default one stroke, which ends with its word."""
     usual = LexemeHabit(0.0, {hand: 1 / len(Hand) for hand in Hand}, Spread(1.0), Spread(0.0))
     return profile.lexemes.get(lexeme, usual)
 
 
 def form_of(profile: Profile, lexeme: str) -> FormHabit:
-    """The form that the speaker gives a lexeme."""
+    """The speaker's form of a lexeme."""
     return profile.forms.get(lexeme, FormHabit())
 
 
 def drawn(spread: Spread, rng: random.Random) -> float:
-    """A value about the mean, within two deviations: people's rare extremes are slips."""
+    """A normally distributed random value, within two deviations of the mean."""
     return min(
         max(rng.gauss(spread.mean, spread.deviation), spread.mean - 2 * spread.deviation),
         spread.mean + 2 * spread.deviation,
@@ -119,7 +120,7 @@ def drawn(spread: Spread, rng: random.Random) -> float:
 
 @dataclass(frozen=True, slots=True)
 class Bounds:
-    """When a gesture begins, relaxes, and is over, and whether it ends its unit."""
+    """The times at which a gesture begins, relaxes and ends, and whether it ends its unit."""
 
     start_s: float
     relax_s: float
@@ -130,7 +131,7 @@ class Bounds:
 def joined(
     profile: Profile, strokes: Sequence[TimedStrokes], segments: Sequence[int], rng: random.Random
 ) -> list[bool]:
-    """Whether each gesture is in one unit with the one before it."""
+    """Whether each gesture is in one unit with the previous one."""
     found, size = [False], 1
     for (one, other), (segment, following) in zip(pairwise(strokes), pairwise(segments), strict=True):
         gap_s = other.strokes[0].start_s - one.strokes[-1].end_s
@@ -141,7 +142,7 @@ def joined(
 
 
 def bounds_of(phases: PhaseHabit, strokes: Sequence[TimedStrokes], is_joined: Sequence[bool]) -> Iterator[Bounds]:
-    """When each gesture begins and ends."""
+    """The bounds of each gesture."""
     free_s = 0.0
     for place, timed in enumerate(strokes):
         first_s, last_s = timed.strokes[0].start_s, timed.strokes[-1].end_s
@@ -160,5 +161,5 @@ def bounds_of(phases: PhaseHabit, strokes: Sequence[TimedStrokes], is_joined: Se
 
 
 def rest_after(rests: RestHabit, gap_s: float) -> str:
-    """Where the hands rest for so long."""
+    """The rest pose for a pause of this duration."""
     return rests.near if gap_s < rests.near_s else rests.far if gap_s > rests.far_s else rests.medium

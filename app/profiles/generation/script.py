@@ -1,5 +1,5 @@
-"""The gesture script (NGS §3.3, step 16): what the hands do, when, and where; and the same as behaviours of a schedule:
-gestures with their after-strokes, and the rests of the hands.
+"""The gesture script (NGS §3.3, step 16): the gestures of the hands, their times and positions; and its conversion to
+behaviours: gestures with their after-strokes, and rest postures of the hands.
 
 Times are seconds on the performance's clock.
 """
@@ -14,13 +14,14 @@ from ..annotation.model import PathForm, Position, Swivel
 
 @dataclass(frozen=True, slots=True)
 class ScriptedGesture:
-    """A gesture: its strokes, the main one first, of which an independent hold (`held`) has one without movement.
+    """A gesture of the script. `strokes` begins with the main stroke; an independent hold (`held`) has one stroke
+    without movement.
 
-    `tag` and words `first` to `last` are what it shows; the stroke falls on `word`. It begins at `start_s`, relaxes at
-    `relax_s` and is over at `end_s`, where the next of its unit begins or the hands are at rest. `start` and `end` are
-    where the main stroke leads from and to, as the speaker made it once; its point of emphasis is at `emphasis_s`,
-    `amount` is its size in [0, 1]. `tracks` are offset tracks that an author added (NGS §3.4), in the words of the
-    gesture language. One that is not made says why in `reason`.
+    The gesture shows `tag` on the words from `first` to `last`; its stroke falls on `word`. It begins at `start_s`,
+    relaxes at `relax_s` and ends at `end_s`, when the next gesture of its unit begins or the hands are at rest. `start`
+    and `end` are the positions of the hand at the start and end of the main stroke, from one of the speaker's
+    occurrences; its point of emphasis is at `emphasis_s`; `amount` is its size in [0, 1]. `tracks` are offset tracks
+    added by an author (NGS §3.4), in the gesture language. `reason` says why a dropped gesture is not made.
     """
 
     id: str
@@ -47,7 +48,7 @@ class ScriptedGesture:
 
 @dataclass(frozen=True, slots=True)
 class ScriptedUnit:
-    """Gestures between two rests, by id, and where the hands rest after them."""
+    """The gestures between two rests, by id, and the rest pose after them."""
 
     gestures: tuple[str, ...]
     start_s: float
@@ -57,7 +58,7 @@ class ScriptedUnit:
 
 @dataclass(frozen=True, slots=True)
 class GestureScript:
-    """What a line's hands do by a profile; gestures in order of time, those that were given up among them."""
+    """The gesture script of a line; gestures are in order of time and include dropped ones."""
 
     profile: str
     seed: int
@@ -70,7 +71,7 @@ class GestureScript:
 
 
 PRIORITY = 5.0
-"""Of every gesture of a script: what cannot be played beside what was asked for has been given up already."""
+"""The priority of every gesture of a script; conflicts with requested behaviours have been resolved already."""
 
 RESTS: Mapping[str, str] = {
     "clasped": "HANDS_CLASPED",
@@ -81,7 +82,7 @@ RESTS: Mapping[str, str] = {
     "on_hips": "HANDS_ON_HIPS",
     "open": "ARMS_OPEN",
 }
-"""The postures that have the hands rest so."""
+"""The posture of each rest pose."""
 
 ELBOWS_DEG: Mapping[Swivel, float | None] = {
     Swivel.TOUCH: -25.0,
@@ -89,7 +90,7 @@ ELBOWS_DEG: Mapping[Swivel, float | None] = {
     Swivel.OUT: 30.0,
     Swivel.RAISED: 75.0,
 }
-"""How far out the elbow of each swivel is; the normal one is where the wrist is at ease."""
+"""The outward angle of the elbow for each swivel; None leaves the arm at its comfortable angle."""
 
 STANCES = ("WEIGHT_ON_LEFT_LEG", "WEIGHT_ON_RIGHT_LEG")
 """The postures of the feet."""
@@ -99,8 +100,8 @@ ShownFunctions = Mapping[tuple[str, int, int], str]
 
 
 def behaviors_of(script: GestureScript, functions: ShownFunctions, *, led: bool = False) -> tuple[Behavior, ...]:
-    """The gestures of a script, those that were given up among them, and the rests of its units. If they are `led`,
-    hands go from and to the sectors of the script; else these are in the size alone."""
+    """The behaviours of a script: its gestures, including dropped ones, and the rests of its units. If `led`, the hands
+    move between the script's sectors; otherwise the sectors affect the size only."""
     made = (_gesture(each, script.profile, functions, led=led) for each in script.gestures)
     return (*made, *_rests(script))
 
@@ -153,7 +154,7 @@ def _sector(position: Position | None) -> Sector | None:
 
 
 def _rests(script: GestureScript) -> Iterator[Behavior]:
-    """A posture of the hands where a unit ends in another rest than the one before."""
+    """A rest posture after each unit whose rest differs from that of the previous unit."""
     rest = ""
     for number, unit in enumerate(script.units):
         if unit.rest != rest:

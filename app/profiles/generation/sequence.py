@@ -1,12 +1,12 @@
-"""Which gestures are made where, and with which hands (NGS §3.3, steps 4 and 5).
+"""Selects the sequence of gestures and their hands (NGS §3.3, steps 4 and 5).
 
-A chain over places: a gesture of lexeme g on a place after one of lexeme h weighs P(g∣s) · P(g∣h) / P(g), and a
-constant for each gesture, such that as many are expected as the speaker makes in that time. The paper takes the
-likeliest sequence; that is always the same few gestures. We draw from all, each as likely as it is, so that the
-shares of gestures come out as the speaker's (`benchmarks.profiles` has both). Hands are a chain likewise, over
-P(hand∣g) and the hand before.
+The gestures form a Markov chain over places. A gesture of lexeme g on a place, after one of lexeme h, has the weight
+P(g∣s) · P(g∣h) / P(g), times a constant per gesture, chosen such that the expected number of gestures is the speaker's
+for that time. The paper takes the most probable sequence, which always consists of the same few gestures. We sample a
+sequence by its probability, so that the distribution of gestures is the speaker's (`benchmarks.profiles` compares
+both). Hands are a chain likewise, over P(hand∣g) and the previous hand.
 
-All is in logarithms. Times are seconds.
+Weights are logarithms. Times are seconds.
 """
 
 import random
@@ -21,16 +21,16 @@ from ..profile import FIRST, Profile
 from .candidates import Repertoire, StrokeWord
 
 APART_S = 0.8
-"""Strokes of two gestures are at least so far apart."""
+"""The minimum time between the strokes of two gestures."""
 
 LEAST, IMPOSSIBLE = 1e-6, -1e9
 NEVER = 1e-30
 WIDEST, EXACT = 30.0, 1e-3
-"""Between which log weights that of a gesture is sought, and how exactly."""
+"""The range (±) in which the log weight per gesture is sought, and the tolerance."""
 
 DRAWS = 12
 NEARLY_ALL = 0.98
-"""Of the most gestures that fit, more cannot be expected."""
+"""The largest expected number of gestures, as a share of the most that fit."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,8 +43,8 @@ class Drawn:
 
 @dataclass(frozen=True, slots=True)
 class _Chain:
-    """The chain of a line: log weights of lexemes on places (P, L), of a lexeme after another (L, L), of the first
-    (L,), and for each place how many places before it are far enough away."""
+    """The Markov chain of a line: log weights of lexemes on places (P, L), of transitions (L, L), of the first lexeme
+    (L,), and for each place the number of earlier places that are far enough away."""
 
     weights: FloatArray
     follows: FloatArray
@@ -61,8 +61,8 @@ def drawn_gestures(
     likeliest: bool = False,
     before: str = FIRST,
 ) -> tuple[Drawn, ...]:
-    """The gestures of a stretch of speech after the lexeme `before`, as many as `expected` on average; with `likeliest`
-    the likeliest of such chains."""
+    """The gestures of a stretch of speech after the lexeme `before`, `expected` in number on average; with `likeliest`
+    the most probable chain."""
     lexemes = sorted({lexeme for place in places for lexeme in place.weights})
     if not lexemes or expected <= 0:
         return ()
@@ -75,7 +75,7 @@ def drawn_gestures(
 def drawn_hands(
     profile: Profile, gestures: Sequence[Drawn], repertoire: Repertoire, *, rng: random.Random
 ) -> tuple[Hand, ...]:
-    """The hand of each gesture: P(hand∣g) · P(hand∣hand before) / P(hand), of those that may make it."""
+    """The hand of each gesture, drawn by P(hand∣g) · P(hand∣hand before) / P(hand) among those that may make it."""
     hands: list[Hand] = []
     usual = _hand_shares(profile)
     for gesture in gestures:
@@ -106,7 +106,8 @@ def _share(profile: Profile, lexeme: str) -> float:
 
 
 def _row(profile: Profile, before: str, lexemes: Sequence[str], shares: FloatArray) -> FloatArray:
-    """P(lexeme∣before) (L,): as the row says, what it leaves among those it does not name, by their shares."""
+    """P(lexeme∣before) (L,): the row's values; its remaining probability is divided among the lexemes it does not name,
+    in proportion to their shares."""
     row = profile.follows.get(before)
     if row is None:
         return shares
@@ -128,7 +129,7 @@ def _log_maximum(values: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, slots=True)
 class _Adding:
-    """How chains are counted together: two of them, and a column of many."""
+    """The addition of chains (sum or maximum): of two, and along a column."""
 
     two: Callable[[FloatArray, FloatArray], FloatArray]
     many: Callable[[FloatArray], FloatArray]
@@ -139,7 +140,7 @@ LIKELIEST = _Adding(np.maximum, _log_maximum)
 
 
 def _forward(chain: _Chain, weight: float, adding: _Adding) -> FloatArray:
-    """Log weight (P, L) of all chains that end with a lexeme on a place, or of the likeliest of them."""
+    """The log weight (P, L) of all chains that end with a lexeme on a place, or of the most probable of them."""
     forward = np.empty_like(chain.weights)
     until = np.full((len(forward) + 1, forward.shape[1]), IMPOSSIBLE)
     for place, before in enumerate(chain.before):
@@ -150,7 +151,7 @@ def _forward(chain: _Chain, weight: float, adding: _Adding) -> FloatArray:
 
 
 def _backward(chain: _Chain, forward: FloatArray, pick: Callable[[FloatArray], int]) -> Iterator[tuple[int, int]]:
-    """The places and lexemes of a chain, the last first."""
+    """The places and lexemes of a chain, in reverse order."""
     columns = forward.shape[1]
     towards: FloatArray = np.zeros(columns)
     reached, stop = len(forward), 0.0
@@ -173,8 +174,8 @@ def _likeliest(scores: FloatArray) -> int:
 
 
 def _drawn(chain: _Chain, expected: float, rng: random.Random) -> list[tuple[int, int]]:
-    """Of several chains that are drawn the first whose number of gestures is nearest to what is expected: a speaker's
-    rate varies less from line to line than chance would have it."""
+    """Draws several chains and returns the first whose number of gestures is nearest to the expected one, because a
+    speaker's rate varies less between lines than chance would imply."""
     forward = _forward(chain, _weight_for(lambda weight: _expected(chain, weight), expected), ALL)
     wanted = int(expected + rng.random())
     drawn = [list(_backward(chain, forward, partial(_sampled, rng))) for _draw in range(DRAWS)]
@@ -182,7 +183,7 @@ def _drawn(chain: _Chain, expected: float, rng: random.Random) -> list[tuple[int
 
 
 def _likeliest_of(chain: _Chain, expected: float) -> list[tuple[int, int]]:
-    """The likeliest chain of so many gestures."""
+    """The most probable chain with this number of gestures."""
 
     def chain_at(weight: float) -> list[tuple[int, int]]:
         return list(_backward(chain, _forward(chain, weight, LIKELIEST), _likeliest))
@@ -191,7 +192,7 @@ def _likeliest_of(chain: _Chain, expected: float) -> list[tuple[int, int]]:
 
 
 def _weight_for(count: Callable[[float], float], wanted: float) -> float:
-    """The log weight of a gesture at which there are as many, or the nearest to it that there is."""
+    """The log weight per gesture for which the expected number is reached, or the nearest possible one."""
     from scipy.optimize import brentq  # imported late: only speakers of a profile need it, and it takes .3 s
 
     if wanted <= count(-WIDEST):
@@ -202,17 +203,18 @@ def _weight_for(count: Callable[[float], float], wanted: float) -> float:
 
 
 def _expected(chain: _Chain, weight: float) -> float:
-    """How many gestures a chain has on average: the slope of the log of all weights."""
+    """The expected number of gestures in a chain: the derivative of the log total weight by the log weight per
+    gesture."""
     return (_all(chain, weight + EXACT) - _all(chain, weight - EXACT)) / (2 * EXACT)
 
 
 def _all(chain: _Chain, weight: float) -> float:
-    """The log weight of all chains, that without gestures among them."""
+    """The log of the total weight of all chains, including the one without gestures."""
     return float(_log_sum(np.append(_forward(chain, weight, ALL).ravel(), 0.0)[:, None])[0])
 
 
 def _most(chain: _Chain) -> int:
-    """The most gestures that fit."""
+    """The largest number of gestures that fit."""
     longest = [0] * (len(chain.before) + 1)
     for place, before in enumerate(chain.before):
         longest[place + 1] = max(longest[place], longest[before] + 1)

@@ -1,1 +1,1 @@
-"""From annotation to profile (NGS §3.2)."""
+"""Learns a profile from annotations (NGS §3.2)."""

@@ -1,4 +1,4 @@
-"""The habits of a speaker beside the tables: how lexemes are made, units, phases, rests, head and eyes (NGS §3.2)."""
+"""Estimates the habits of a speaker other than the tables: lexemes, units, phases, rests, head and eyes (NGS §3.2)."""
 
 from bisect import bisect_left
 from collections import Counter
@@ -24,25 +24,25 @@ from .observations import ObservedGesture
 from .tables import shares_of
 
 OWN_MEAN = 3.0
-"""How many gestures of a lexeme weigh as much as the speaker's mean over all."""
+"""The weight of the speaker's overall mean in the mean of a lexeme, in gestures."""
 
 LONGEST_UNIT = 6
-"""Units of more gestures are counted together (the table in NGS §1)."""
+"""Units of this many or more gestures are counted together (the table in NGS §1)."""
 
 USUAL_MERGE_S = 1.5
-"""The paper's distance within which neighbours are one unit."""
+"""The distance within which the paper joins neighbours to one unit."""
 
 AT_LISTENER = frozenset({"listener", "addressee", "camera"})
-"""What the label of a gaze says that is on whom one talks to."""
+"""The labels of a gaze at the addressee."""
 
 MOST_OCCURRENCES = 12
-"""Of one lexeme in the GestureDB of a profile."""
+"""The largest number of occurrences of one lexeme in the GestureDB of a profile."""
 
 
 def lexeme_habits(
     gestures: Sequence[ObservedGesture], hands: Mapping[str, Mapping[Hand, float]]
 ) -> dict[str, LexemeHabit]:
-    """How each lexeme is made; means and deviations are drawn to the speaker's own over all where it is rare."""
+    """The habit of each lexeme; means and deviations of rare lexemes are shrunk towards the speaker's overall ones."""
     shares = shares_of(Counter(each.phrase.lexeme for each in gestures))
     strokes = spread_of(map(_strokes, gestures))
     offset = spread_of(_offsets(gestures))
@@ -68,7 +68,7 @@ def _offsets(gestures: Iterable[ObservedGesture]) -> Iterator[float]:
 
 
 def spread_of(values: Iterable[float], prior: Spread | None = None) -> Spread:
-    """The mean and deviation, drawn to `prior` as if that were `OWN_MEAN` values."""
+    """The mean and deviation, shrunk towards `prior`, which counts as `OWN_MEAN` values."""
     found = list(values)
     weight = OWN_MEAN if prior else 0.0
     mean, deviation = (prior.mean, prior.deviation) if prior else (0.0, 0.0)
@@ -81,8 +81,9 @@ def spread_of(values: Iterable[float], prior: Spread | None = None) -> Spread:
 
 
 def unit_habit(annotations: Iterable[Annotation], gestures: Sequence[ObservedGesture]) -> UnitHabit:
-    """Sizes of units, the distance that best tells neighbours in one unit from those in two, and how many of those that
-    are nearer are one, where there is time for two, by how many gestures the unit has by then."""
+    """The habit of units: their sizes, the distance that best separates neighbours within units from those in different
+    units, and the share of nearer neighbours that are joined although there is time for a rest, by the number of
+    gestures so far in the unit."""
     sizes = Counter(min(len(unit.phrases), LONGEST_UNIT + 1) for each in annotations for unit in each.units)
     gaps = [(each.gap_s, each.joined) for each in gestures if each.gap_s is not None]
     threshold_s = _threshold_s(gaps)
@@ -94,8 +95,8 @@ def unit_habit(annotations: Iterable[Annotation], gestures: Sequence[ObservedGes
 
 
 def _joined_by_size(gestures: Iterable[ObservedGesture], threshold_s: float) -> tuple[float, ...]:
-    """Of gestures that are near, and could as well begin a unit, the share that is joined to one of 1, 2, … gestures;
-    drawn to the share over all sizes where such units are rare."""
+    """The share of near gestures, which could also begin a unit, that are joined to a unit of 1, 2, … gestures; for
+    rare sizes shrunk towards the share over all sizes."""
     free: dict[int, list[bool]] = {size: [] for size in range(1, LONGEST_UNIT + 1)}
     size = 0
     for each in gestures:
@@ -108,7 +109,7 @@ def _joined_by_size(gestures: Iterable[ObservedGesture], threshold_s: float) -> 
 
 
 def _threshold_s(gaps: Sequence[tuple[float, bool]]) -> float:
-    """The distance with the fewest mistakes, that nearest to the paper's of equals."""
+    """The distance with the fewest classification errors; of equals, the one nearest to the paper's."""
     ordered = sorted({gap_s for gap_s, _joined in gaps})
     between = [USUAL_MERGE_S, *((one + other) / 2 for one, other in pairwise(ordered))]
     if ordered:
@@ -122,7 +123,7 @@ def _threshold_s(gaps: Sequence[tuple[float, bool]]) -> float:
 
 
 def phase_habit(annotations: Iterable[Annotation]) -> PhaseHabit:
-    """How long phases last; people's usual times where none is marked (docs/references.md)."""
+    """The durations of phases; usual values for phases that are not annotated (docs/references.md)."""
     phrases = [phrase for annotation in annotations for phrase in annotation.phrases]
     phases = [phase for phrase in phrases for phase in phrase.phases]
     back = [unit.retraction for annotation in annotations for unit in annotation.units if unit.retraction]
@@ -144,7 +145,7 @@ def _durations_s(intervals: Iterable[Interval], usual: Spread) -> Spread:
 
 
 def rest_habit(annotations: Iterable[Annotation]) -> RestHabit:
-    """Where the hands rest, by how soon the next unit begins: the commonest rest that was marked, else the paper's."""
+    """The rest poses by the time until the next unit: the most frequent annotated rest, by default the paper's."""
     usual = RestHabit()
     marked: dict[str, Counter[str]] = {"near": Counter(), "medium": Counter(), "far": Counter()}
     for annotation in annotations:
@@ -168,7 +169,7 @@ def _gaps_between(units: Sequence[Unit], end_s: float) -> Iterator[tuple[Unit, f
 
 
 def head_habit(annotations: Sequence[Annotation], seconds: float) -> HeadHabit:
-    """What head, eyes and body do, where it was marked."""
+    """The habits of head, eyes and body, if annotated."""
     heads = Counter(each.label for annotation in annotations for each in annotation.head)
     postures = Counter[str]()
     for annotation in annotations:
@@ -188,7 +189,7 @@ def _eye_contact(gaze: Sequence[LabelledInterval]) -> float | None:
 
 
 def form_habits(gestures: Iterable[ObservedGesture]) -> dict[str, FormHabit]:
-    """The size of each lexeme, where its positions were marked."""
+    """The size of each lexeme whose positions are annotated."""
     positions: dict[str, list[float]] = {}
     for each in gestures:
         marked = [place for place in (each.phrase.start, each.phrase.end) if place]
@@ -198,7 +199,7 @@ def form_habits(gestures: Iterable[ObservedGesture]) -> dict[str, FormHabit]:
 
 
 def database_of(gestures: Iterable[ObservedGesture]) -> tuple[Occurrence, ...]:
-    """The GestureDB: where strokes started and ended, the commonest of each lexeme first."""
+    """The GestureDB: the start and end positions of strokes, the most frequent of each lexeme first."""
     made = Counter(
         Occurrence(each.phrase.lexeme, each.phrase.hand, each.phrase.start, each.phrase.end, each.phrase.path)
         for each in gestures

@@ -1,9 +1,9 @@
-"""A speaker's profile from annotations (NGS §3.2), and what of it is ours.
+"""Learns a speaker's profile from annotations (NGS §3.2).
 
-The paper has the counts: P(g∣s) over affiliates, bigrams of lexemes and of hands, P(hand∣g), a lexeme's strokes and
-distance to its word, the rate. Ours are the smoothing (`tables`), that a rare lexeme's means are drawn to the speaker's
-own, and that the distance which parts units is the speaker's, at which the paper hints. Remarks say where there was
-little or nothing to learn from.
+The counts are the paper's: P(g∣s) over affiliates, bigrams of lexemes and of hands, P(hand∣g), a lexeme's strokes and
+its distance to its word, the rate. Our additions are the smoothing (`tables`), the shrinkage of a rare lexeme's means
+towards the speaker's overall ones, and a distance between units that is learned from the speaker, as the paper
+suggests. Remarks report scarce or missing data.
 """
 
 from collections import Counter
@@ -19,11 +19,11 @@ from .observations import all_of
 from .tables import rows_of, shares_of, tag_table
 
 FEWEST_GESTURES = 10
-"""With fewer there is no habit to speak of."""
+"""The minimum number of gestures."""
 
 
 def learn(annotations: Sequence[Annotation], name: str, description: str = "") -> Profile:
-    """The profile of the one speaker of these annotations, whose tags are known.
+    """The profile of the speaker of these annotations, whose tags must be known.
 
     Raises InputError `too_few_gestures`.
     """
@@ -71,13 +71,13 @@ def _check_enough(gestures: int) -> None:
 
 
 FEW_GESTURES = 100
-"""Of the examples' gestures, any 25 on end have lexemes of which a quarter would have to be moved to be those of all,
-50 an eighth, 100 one in twenty (`docs/measurements/profiles.md`). NGS had about 200 of each speaker, in nine
-minutes."""
+"""With fewer gestures the profile is doubtful. The lexeme distribution of 25 consecutive gestures of the examples
+differs from that of all by a quarter (the share that would have to be moved), of 50 by an eighth, of 100 by one in
+twenty (`docs/measurements/profiles.md`). NGS had about 200 gestures per speaker, in nine minutes."""
 
 
 def doubts(profile: Profile, annotations: Sequence[Annotation], postures: Collection[str]) -> Iterator[Notice]:
-    """The doubts about a profile that was learnt from these annotations; bodies have the `postures`."""
+    """The remarks on a profile learned from these annotations; `postures` are the postures that bodies can take."""
     for each in annotations:
         if each.unread:
             message = f"{each.path}: tracks that are not read: {', '.join(each.unread)}"

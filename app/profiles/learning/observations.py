@@ -1,5 +1,5 @@
-"""What annotations show, as plain observations: each gesture with its words and the gesture before it, and each tag
-with what came of it. Times are seconds."""
+"""Extracts observations from annotations: each gesture with its words and the previous gesture, and each tag with the
+gestures that accompany it. Times are seconds."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -12,16 +12,16 @@ from ..profile import ANY_TAG, FIRST
 from ..segments import time_of
 
 NONE = ""
-"""The lexeme of no gesture."""
+"""The lexeme that stands for the absence of a gesture."""
 
 HALF = 0.5
-"""Of a word, by which a stretch of words is widened so that it touches those that it names."""
+"""An interval of word numbers is widened by half a word, so that it overlaps the words it names."""
 
 
 @dataclass(frozen=True, slots=True)
 class ObservedGesture:
-    """A gesture, its tags, the lexeme and hand before it in the recording (None before the first), how long the main
-    stroke ends after its word does, and the time from the stroke before to this one if both are in one segment."""
+    """A gesture, its tags, the previous lexeme and hand in the recording (None for the first), the time from the end of
+    its word to the end of the main stroke, and the time from the previous stroke if both are in one segment."""
 
     phrase: GesturePhrase
     tags: tuple[str, ...]
@@ -34,9 +34,9 @@ class ObservedGesture:
 
 @dataclass(frozen=True, slots=True)
 class ObservedTag:
-    """A tag that was said, and what came with it: shares of lexemes and of none, which sum to 1.
+    """A tag in the recording and the shares of lexemes, and of no gesture, that accompany it; they sum to 1.
 
-    Where a gesture's words have several tags, each has its part of it.
+    If a gesture's words have several tags, the gesture is divided among them.
     """
 
     tag: str
@@ -45,7 +45,7 @@ class ObservedTag:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Recording:
-    """An annotation whose words, tags and segments are found by time and by word; tags are known by their place."""
+    """An annotation with indices of words, tags and segments by time and by word; tags are identified by position."""
 
     words: InTime[Word]
     tags: tuple[TaggedWords, ...]
@@ -63,20 +63,20 @@ class _Recording:
         )
 
     def meant(self, phrase: GesturePhrase) -> tuple[int, int] | None:
-        """A phrase's affiliate, else the words that co-occur with its stroke."""
+        """A phrase's affiliate; by default the words that overlap its stroke."""
         if phrase.affiliate is not None:
             return phrase.affiliate
         inside = self.words.touching(phrase.main_s.start_s, phrase.main_s.end_s)
         return (inside[0].index, inside[-1].index) if inside else None
 
     def places_meant(self, phrase: GesturePhrase) -> list[int]:
-        """The places of the tags on the words that a phrase means, of its own tag alone if it has one."""
+        """The positions of the tags on a phrase's affiliate; only of the phrase's own tag if it has one."""
         words = self.meant(phrase)
         on_words = self.tags_on.touching(words[0] - HALF, words[1] + HALF) if words else ()
         return sorted(place for place in on_words if phrase.tag in (None, self.tags[place].tag))
 
     def segment(self, phrase: GesturePhrase) -> int:
-        """The segment of speech that a phrase is in; -1 for none."""
+        """The number of the segment that contains a phrase; -1 for none."""
         words = self.meant(phrase)
         held = self.segments.touching(words[1] - HALF, words[1] + HALF) if words else ()
         return held[0] if held else -1
@@ -103,7 +103,7 @@ def observed_gestures(annotation: Annotation) -> Iterator[ObservedGesture]:
 
 
 def observed_tags(annotation: Annotation) -> Iterator[ObservedTag]:
-    """The tags of a recording, each with what came of it."""
+    """The tags of a recording, each with the gestures that accompany it."""
     recording = _Recording.of(annotation)
     outcomes: list[dict[str, float]] = [{} for _each in recording.tags]
     for phrase in annotation.phrases:
@@ -117,7 +117,7 @@ def observed_tags(annotation: Annotation) -> Iterator[ObservedTag]:
 
 
 def level_tags(tag: str) -> tuple[str, ...]:
-    """A tag, its class, and any: what is known of each stands for the one before."""
+    """The tag, its class, and `any`: each is the fallback of the one before."""
     return tuple(dict.fromkeys((tag, tag.partition(".")[0], ANY_TAG)))
 
 
@@ -129,7 +129,7 @@ def all_of(annotations: Iterable[Annotation]) -> tuple[tuple[ObservedGesture, ..
 
 
 def _gap_s(before: GesturePhrase | None, phrase: GesturePhrase, recording: _Recording) -> float | None:
-    """From the last stroke of the gesture before to this one's first; None across segments."""
+    """The time from the last stroke of the previous gesture to the first of this one; None across segments."""
     if before is None or recording.segment(before) != recording.segment(phrase):
         return None
     last = before.strokes[-1] if before.strokes else before.main_s

@@ -1,11 +1,9 @@
-"""The tables of a profile: what comes with a tag, what follows what; each smoothed by a prior worth so many
-observations, whose worth held-out data choose.
+"""Estimates the probability tables of a profile, smoothed by Dirichlet priors.
 
-A tag is smoothed by its class and a class by all tags; what follows a lexeme, and which hand makes it, by what is made
-at all. Every fifth observation is held out in turn.
-
-P(x) = (C(x) + κ π(x)) / (C + κ), a Dirichlet prior of mean π and strength κ. NGS gives no smoothing; of the usual ones
-this needs one number, which `chosen_strength` takes from the likelihood of what was left out.
+P(x) = (C(x) + κ π(x)) / (C + κ), with a prior of mean π and strength κ in observations. A tag is smoothed by its class
+and a class by all tags; the successors and the hands of a lexeme by the overall distribution. NGS specifies no
+smoothing; this one has a single parameter, which `chosen_strength` selects by the likelihood of held-out data: every
+fifth observation is held out in turn.
 """
 
 from collections import Counter
@@ -32,20 +30,20 @@ def smoothed(counts: Mapping[Value, float], prior: Mapping[Value, float], streng
 
 
 def shares_of(counts: Mapping[Value, float]) -> dict[Value, float]:
-    """The counts as parts of their sum."""
+    """The counts divided by their sum."""
     total = sum(counts.values())
     return {value: count / total for value, count in counts.items()} if total else {}
 
 
 def chosen_strength(likelihood: Callable[[float], float]) -> tuple[float, float]:
-    """Of the strengths the one with the greatest held-out likelihood, the stronger of equals, and that likelihood."""
+    """The strength with the greatest held-out likelihood (the stronger of equals), and that likelihood."""
     scored = [(likelihood(strength), strength) for strength in STRENGTHS]
     best, strength = max(scored)
     return strength, best
 
 
 def folds_of(items: Sequence[Value]) -> Iterable[tuple[Sequence[Value], Sequence[Value]]]:
-    """What to fit on and what is held out, `FOLDS` times: every fifth item is held out together."""
+    """The `FOLDS` pairs of training and held-out items; each holds out every fifth item."""
     for fold in range(FOLDS):
         held_out = [item for place, item in enumerate(items) if place % FOLDS == fold]
         if held_out and len(held_out) < len(items):
@@ -53,19 +51,19 @@ def folds_of(items: Sequence[Value]) -> Iterable[tuple[Sequence[Value], Sequence
 
 
 def log_probability(probabilities: Mapping[Value, float], value: Value) -> float:
-    """The logarithm; of what is impossible that of `LEAST`."""
+    """The logarithm of a probability, which is clipped at `LEAST`."""
     return log(max(probabilities.get(value, 0.0), LEAST))
 
 
 Second = TypeVar("Second", bound=str)
 
 FEWEST_SEEN = 3
-"""A tag that was met less often goes by its class."""
+"""A tag that occurs less often is replaced by its class."""
 
 
 @dataclass(frozen=True, slots=True)
 class Rows(Generic[Second]):
-    """P(second∣first) by first, the strength of its prior, and the held-out log-likelihood, nats a pair."""
+    """P(second∣first) by first, the strength of the prior, and the held-out log-likelihood in nats per pair."""
 
     rows: Mapping[str, Mapping[Second, float]]
     strength: float
@@ -74,8 +72,8 @@ class Rows(Generic[Second]):
 
 @dataclass(frozen=True, slots=True)
 class LearntTags:
-    """What comes with each tag, the strength of its prior, and the held-out log-likelihood, nats a tag; `blind` is that
-    of a table which does not tell tags apart."""
+    """The distribution of lexemes for each tag, the strength of the prior, and the held-out log-likelihood in nats per
+    tag; `blind` is the log-likelihood of a table that ignores the tag."""
 
     tags: Mapping[str, TagHabit]
     strength: float
@@ -84,13 +82,13 @@ class LearntTags:
 
 
 def rows_of(pairs: Sequence[tuple[str, Second]], prior: Mapping[Second, float]) -> Rows[Second]:
-    """What follows what in `pairs`, smoothed by `prior`."""
+    """The conditional distributions of `pairs`, smoothed by `prior`."""
     strength, held_out = chosen_strength(partial(_pair_likelihood, pairs, prior))
     return Rows(_rows(pairs, prior, strength), strength, held_out)
 
 
 def tag_table(tags: Sequence[ObservedTag]) -> LearntTags:
-    """What came with the tags."""
+    """The table of lexemes by tag."""
     strength, held_out = chosen_strength(partial(_tag_likelihood, tags))
     counts = _counts(tags)
     habits = {tag: _habit(counts, tag, strength) for tag in sorted(counts) if _is_kept(counts, tag)}
@@ -116,7 +114,7 @@ def _pair_likelihood(pairs: Sequence[tuple[str, Second]], prior: Mapping[Second,
 
 
 def _counts(tags: Iterable[ObservedTag]) -> dict[str, dict[str, float]]:
-    """What came with each tag, each class and any, none included."""
+    """The counts of lexemes, including `NONE`, for each tag, each class and `any`."""
     counts: dict[str, dict[str, float]] = {}
     for each in tags:
         for level in level_tags(each.tag):
