@@ -1,4 +1,5 @@
-"""What the command line writes to standard error, in one of three voices: for people, for machines, or errors only.
+"""Writes the log of the command line to standard error, in one of three voices: for people, for machines, or errors
+only.
 
 `--json-log` gives one JSON object a line, `--quiet` errors alone. Results are never written here.
 """

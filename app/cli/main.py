@@ -3,7 +3,8 @@
 Exit codes: 0 done, 2 wrong input, 130 interrupted. A command is the module of its name in `understudy.cli.commands`
 with a function `run(arguments, log) -> int`; it is imported when it is called, so that `understudy --help` is quick.
 
-Settings that a command is given as options, for it and for the processes that it starts.
+Options that override settings (`--lexicon`, `--agitation-model`) are passed through the environment, so that the
+processes that a command starts have them too.
 """
 
 import argparse
@@ -63,8 +64,8 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 def _command(name: str) -> Callable[[argparse.Namespace, Log], int]:
-    """What `agitation train` or `motion-model` runs: `run` of the module of that name, or a function of a module of
-    several commands. Only that module is imported."""
+    """The function of a command, such as `agitation train` or `motion-model`: `run` in the module of that name, or a
+    function in a module of several commands. Only that module is imported."""
     name = name.replace(" ", "_").replace("-", "_")
     module, function = SHARED.get(name, (name, "run"))
     home = importlib.import_module(f".commands.{module}", __package__)
@@ -82,7 +83,7 @@ AGITATION_MODEL = "UNDERSTUDY_AGITATION_MODEL"
 
 @contextmanager
 def set_by(arguments: argparse.Namespace) -> Iterator[None]:
-    """Within the block the environment has what `--lexicon` and `--agitation-model` say."""
+    """Sets the environment variables of `--lexicon` and `--agitation-model` within the block."""
     told = dict(_told(arguments))
     before = {name: os.environ.get(name) for name in told}
     os.environ.update(told)

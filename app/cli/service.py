@@ -1,9 +1,8 @@
 """Runs the service until it is stopped.
 
-Everything is loaded, and the bundled example performed once, before the first request is accepted: a mistake in rules
-or settings is reported like any other, and no caller waits for what only the first line needs.
-
-Binds the service's address before anything is loaded, so that a wrong or taken one is reported at once.
+The address is bound before anything is loaded, so that a wrong or taken one is reported at once. Everything is loaded,
+and the bundled example performed once, before the first request is accepted: a mistake in rules or settings is reported
+like any other, and the first caller does not wait for initialization.
 """
 
 import signal

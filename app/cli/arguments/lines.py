@@ -42,7 +42,7 @@ def add_say(add: Adding) -> None:
 
 
 def _add_performance(parser: argparse.ArgumentParser) -> None:
-    """What comes with a line, how it is performed, and what is written."""
+    """Adds the line's annotations, the options of its performance, and the outputs."""
     add_functions(parser)
     parser.add_argument(
         "--direction", metavar="FILE", type=InputFile, help="a director's notes on the line: JSON (docs/directing.md)"

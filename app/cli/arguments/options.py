@@ -1,6 +1,6 @@
-"""What the modules of arguments share: how a command or an action of one is added to a parser, and the arguments that
-several commands take: the line, what is known of it, the output, and the options of a performance and of a motion as
-`understudy.option_table` describes them.
+"""Shared functions of the argument modules. They add commands and actions to a parser, and the arguments that several
+commands take: the line and its annotations, the output, and the options of a performance and of a motion as described
+in `understudy.option_table`.
 
 An option may be given only once: argparse would silently drop the first of two.
 """
@@ -97,34 +97,34 @@ def _described(option: Option) -> dict[str, Any]:
 
 
 def _plain(choices: Iterable[str | int]) -> tuple[str | int, ...]:
-    """The choices without their enumeration, whose members argparse would name as Python writes them."""
+    """The choices as plain values, since argparse would show members of an enumeration by their Python names."""
     return tuple(choice.value if isinstance(choice, Enum) else choice for choice in choices)
 
 
 def add_manner(parser: argparse.ArgumentParser) -> None:
-    """How lines are performed."""
+    """Adds the options of a performance."""
     add_options(parser, PERFORMANCE, *MANNER)
 
 
 def add_form(parser: argparse.ArgumentParser) -> None:
-    """How BML is written."""
+    """Adds the options of the BML output."""
     add_options(parser, PERFORMANCE, *FORM)
 
 
 def add_rate(parser: argparse.ArgumentParser) -> None:
-    """How motion is made."""
+    """Adds the options of a motion."""
     add_options(parser, MOTION, *RATE)
 
 
 def add_motion(parser: argparse.ArgumentParser) -> None:
-    """How motion is made and its files are written."""
+    """Adds the options of a motion and of its files."""
     add_rate(parser)
     parser.add_argument("--avatar", metavar="FILE", type=InputFile, help="your own GLB or VRM, to be animated in .glb")
     add_options(parser, MOTION, *FILES)
 
 
 def add_reference(parser: argparse.ArgumentParser) -> None:
-    """How the speaker usually sounds: files, so that one or more are taken."""
+    """Adds the option for the speaker's usual voice, which takes one or more files."""
     add_option(parser, PERFORMANCE["reference"], type=InputFile, nargs="+", action="extend")
 
 
@@ -137,7 +137,7 @@ AUDIO_HELP = "WAV, FLAC or OGG file; - for standard input"
 
 
 def add_line(parser: argparse.ArgumentParser) -> None:
-    """The recording, its words and their times."""
+    """Adds the recording, its words and their times."""
     parser.add_argument("audio", metavar="AUDIO", type=InputFile, help=AUDIO_HELP)
     add_text(parser, "the words that are spoken")
     add_words(parser, "the words' times, made elsewhere: .json, .TextGrid or .ctm; nothing is aligned")
@@ -145,7 +145,7 @@ def add_line(parser: argparse.ArgumentParser) -> None:
 
 
 def add_text(parser: argparse.ArgumentParser, told: str) -> None:
-    """The words, on the command line or in a file."""
+    """Adds the words, on the command line or in a file."""
     text = parser.add_mutually_exclusive_group(required=True)
     text.add_argument("--text", help=told)
     text.add_argument(

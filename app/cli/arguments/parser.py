@@ -1,6 +1,6 @@
 """The parser of the whole command line, with every command in its order.
 
-Here are also the arguments of `serve`, `studio` and `study`.
+Also contains the arguments of `serve`, `studio` and `study`.
 """
 
 import argparse
@@ -26,7 +26,7 @@ class _Parser(argparse.ArgumentParser):
     abbreviations."""
 
     def parse_args(self, args: Sequence[str] | None = None, namespace: Any = None) -> Any:  # type: ignore[override]  # noqa: ANN401
-        """Joins the two words of `agitation train`: what follows `agitation` is else a recording."""
+        """Joins the two words of `agitation train`, since other words after `agitation` are recordings."""
         words = list(sys.argv[1:] if args is None else args)
         place = next((index for index in range(len(words) - 1) if words[index : index + 2] == _TRAIN.split()), None)
         if place is not None:

@@ -1,5 +1,5 @@
-"""`understudy agitation train`: teaches the paper's classifier of agitation on labelled recordings, and tells how well
-it does on speakers that it has not heard."""
+"""`understudy agitation train`: trains the paper's classifier of agitation on labelled recordings, and reports its
+accuracy on held-out speakers."""
 
 import argparse
 from pathlib import Path

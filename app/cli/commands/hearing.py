@@ -1,5 +1,5 @@
-"""What is heard in a recording: `understudy agitation`, `align`, `pitch` and `reference`, none of which loads more than
-the acoustic models; and `understudy analyze`, the analysis of a line as JSON, and on request as a picture.
+"""The analyses of recordings: `understudy agitation`, `align`, `pitch` and `reference`, which load the acoustic models
+only; and `understudy analyze`, the analysis of a line as JSON and optionally as a picture.
 """
 
 import argparse
@@ -23,7 +23,7 @@ PITCH_HEADER = "time_s,f0_hz,energy_db"
 
 
 def agitation(arguments: argparse.Namespace, log: Log) -> int:
-    """The speaker's agitation and feeling in each file, one JSON line a file, in order."""
+    """The speaker's agitation and feeling in each file, as one line of JSON per file, in order."""
     settings = read_settings()
     require_files(arguments.audio, settings)
     require_reference(arguments.reference, settings)

@@ -1,5 +1,5 @@
-"""`understudy motion-model`: learns motion from recordings of speech with their motion, and tells how near a model's
-own motion comes to theirs (docs/motion-models.md)."""
+"""`understudy motion-model`: learns a motion model from recordings of speech with motion, and measures the similarity
+of its motion to theirs (docs/motion-models.md)."""
 
 import argparse
 import json
@@ -57,7 +57,7 @@ def _score(arguments: argparse.Namespace, log: Log) -> int:
 
 
 def _progress(log: Log) -> Progress:
-    """Tells people and machines what is done."""
+    """Reports the progress in the log's voice."""
 
     def tell(stage: str) -> None:
         log.stage(stage)

@@ -1,4 +1,4 @@
-"""`understudy perform` and `say`: one line in, BML out, with a summary for people of what the character does and why;
+"""`understudy perform` and `say`: one line in, BML out, with a readable summary of the behaviours and their reasons;
 and `understudy script`: the gesture script of a line by a speaker's profile.
 """
 
@@ -30,8 +30,8 @@ WORDS_WIDTH = 28
 
 
 def summary(performance: Performance) -> str:
-    """The line's behaviours in order of time, each with its words, the function it shows and the rule that chose it,
-    or what spoke most for it."""
+    """The line's behaviours in order of time, each with its words, its function, and the rule or the strongest term
+    that chose it."""
     return "\n".join(_lines(performance))
 
 
@@ -73,12 +73,12 @@ def _why(behavior: Behavior, function: Function | None) -> str:
 
 
 def _is_idle(behavior: Behavior) -> bool:
-    """Whether the body does it by itself: for no function, no moment of the plan and no edit."""
+    """Whether a behaviour is idle: without a function, a moment of the plan or an edit."""
     return behavior.function is None and behavior.moment is None and behavior.edit is None
 
 
 def _decided(behavior: Behavior) -> str:
-    """The part that spoke most for it, and its rule."""
+    """The strongest term for the behaviour, and its rule."""
     part = max(behavior.decided_by, key=lambda each: each.weight, default=None)
     chosen = behavior.rule or behavior.reason or ""
     return f"{part.name} ({part.weight:+.1f}) → {chosen}" if part else chosen
@@ -120,7 +120,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
 
 
 def _movement(arguments: argparse.Namespace) -> Callable[[Analysis, AffectTrack | None], Moving] | None:
-    """What moves the body by the motion model, if one is asked for. Raises InputError `motion_model`, `usage`."""
+    """The movement by a motion model, if one is requested. Raises InputError `motion_model`, `usage`."""
     if arguments.motion_model is None:
         if arguments.scenario:
             raise InputError("usage", "--scenario drives a motion model; give its --motion-model")

@@ -78,7 +78,7 @@ def _units_in(motion: str) -> Iterator[ProposedUnit]:
 
 
 def _elan(tracks: Sequence[Track]) -> bytes:
-    """With a tier for everything that a phrase may say of itself but its lexeme, which is its label."""
+    """ELAN tracks, with a tier for each attribute of phrases except the lexeme, which is the label."""
     written = list(with_attribute_tracks(tracks))
     names = {track.name for track in written}
     asked = [f"phrases.{name}" for name in sorted(PHRASE_ATTRIBUTES - {"lexeme", "tag"})]

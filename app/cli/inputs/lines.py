@@ -27,8 +27,8 @@ from ..files import STANDARD, read_bytes, read_text
 def performance_options(arguments: argparse.Namespace) -> Options:
     """The options among the arguments; those that the command does not have keep their defaults.
 
-    Raises InputError and AuthoringError for values that cannot be used. The speaker's usual voice is made of files, for
-    which models are needed: see `hearing.speaker_reference`.
+    Raises InputError and AuthoringError for values that cannot be used. The speaker's usual voice is computed from
+    files and requires models: see `hearing.speaker_reference`.
     """
     given = vars(arguments)
     return Options(

@@ -1,2 +1,2 @@
-"""What commands show people and write beside BML: listings, reasons, pictures of a line, files of motion, the progress
-of a batch. Imports `files` and `log`; drawing and realizing are imported on demand."""
+"""The outputs of commands other than BML: listings, explanations, pictures of a line, motion files, the progress of a
+batch. Imports `files` and `log`; drawing and realizing are imported on demand."""

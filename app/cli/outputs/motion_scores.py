@@ -1,4 +1,4 @@
-"""The scores of motion models, as tables and as figures beside the papers' (AHG §4, RTS §3.1)."""
+"""Shows the scores of motion models as tables and figures, beside the papers' scores (AHG §4, RTS §3.1)."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ THEIR_SEARCHES: Mapping[tuple[int, int], tuple[float, int]] = MappingProxyType(
 
 
 def told(scores: Scores) -> str:
-    """The tables, theirs beside ours."""
+    """The tables, with the papers' scores beside ours."""
     return "\n".join(_lines(scores)) + "\n"
 
 
@@ -129,8 +129,8 @@ def _searches(scores: Scores) -> Iterator[str]:
 
 
 def draw_scores(scores: Scores) -> bytes:
-    """AHG's Figure 4 and Table 4 as bars, theirs beside ours, and RTS' Figures 3.1 and 3.2 where searches were tried;
-    PNG."""
+    """AHG's Figure 4 and Table 4 as bars, with the papers' scores beside ours, and RTS' Figures 3.1 and 3.2 if searches
+    were tried, as PNG."""
     from matplotlib.figure import Figure
 
     rows = 2 if scores.searches else 1

@@ -26,8 +26,8 @@ LARGEST_AVATAR_BYTES = 256 << 20
 
 
 def require_motions(names: Sequence[str], settings: Settings, *, field: str) -> None:
-    """Raises InputError for a name that could not be written, before the work is done; ServiceError where something the
-    format needs is not installed: matplotlib for pictures, usd-core, Blender."""
+    """Checks the names before the work is done. Raises InputError for a name that could not be written; ServiceError if
+    a dependency of the format is not installed: matplotlib for pictures, usd-core, Blender."""
     for name in names:
         form = format_of(name)
         if form in PICTURES:
@@ -37,7 +37,8 @@ def require_motions(names: Sequence[str], settings: Settings, *, field: str) -> 
 
 
 def physics_asked(arguments: argparse.Namespace, settings: Settings) -> bool:
-    """Whether bodies have mass: as the command line says, else the settings. Raises ServiceError `physics_missing`."""
+    """Whether bodies have physics, by the command line or else by the settings. Raises ServiceError
+    `physics_missing`."""
     asked = settings.physics if arguments.physics is None else bool(arguments.physics)
     if asked:
         require_physics()

@@ -1,4 +1,4 @@
-"""Draws an analysis for visual inspection: what was measured in the signal, and what was derived from it.
+"""Draws an analysis for visual inspection: the measurements of the signal, and the values derived from them.
 
 From top to bottom, on one time axis: the words and phones, the waveform, f0 and energy with the thresholds above which
 a frame is stressed (paper §3.1.5), and each word's stressed ratio, prominence and emphasis; at the bottom, for the
