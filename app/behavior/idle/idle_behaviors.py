@@ -1,5 +1,5 @@
-"""Idle behaviour at particular moments of the speech: blinks, breath, a look at the listener, a change of posture; and
-looks aside, as eyes wander off and come back.
+"""Idle behaviour at particular moments of the speech: blinks, breath, looks at the listener, changes of posture, and
+looks aside (gaze aversion).
 """
 
 import random
@@ -14,7 +14,7 @@ from ...model.tables import GazeDirection
 
 @dataclass(frozen=True, slots=True)
 class Habit:
-    """Where somebody looks: at the other for a share `eye_contact` of the time, and aside for `aside_s` at a time."""
+    """A gaze habit: eye contact for a share `eye_contact` of the time, with looks aside of `aside_s`."""
 
     eye_contact: float
     aside_s: float
@@ -22,7 +22,7 @@ class Habit:
 
     @property
     def contact_s(self) -> float:
-        """How long the eyes are on the other between two looks aside."""
+        """The duration of eye contact between two looks aside."""
         return self.aside_s * self.eye_contact / (1 - self.eye_contact)
 
 
@@ -51,7 +51,7 @@ DIRECTIONS: Mapping[GazeDirection, float] = MappingProxyType(
 """Percentages of all saccades."""
 
 NARROWEST_DEGREES = 5.0
-"""At smaller angles the eyes are still on the other's face."""
+"""The smallest angle of a look aside; at smaller angles the eyes are still on the other's face."""
 
 MEAN_DEGREES = 6.9
 """Magnitudes are distributed exponentially: -6.9 ln(P / 15.7)."""
@@ -105,7 +105,7 @@ _SENTENCE_ENDS = (".", "?", "!", "…")
 
 @dataclass(frozen=True, slots=True)
 class IdleBehavior:
-    """A behaviour of the table that no function asks for: its time, word and reason."""
+    """A behaviour of the table without a function: its time, word and reason."""
 
     name: str
     at_s: float
@@ -137,8 +137,8 @@ def idle_behaviors(
 def blinks(
     utterance: Utterance, timed: tuple[Word, ...], seed: str, *, asked_s: Sequence[float] = ()
 ) -> Iterator[IdleBehavior]:
-    """The blinks of a line besides those asked for. Their times depend on the words: the same line always blinks at the
-    same times."""
+    """The blinks of a line in addition to requested ones. Their times depend on the words, so they are the same for the
+    same line."""
     intervals = [(word.index, word.interval) for word in timed if word.interval is not None]
     generator = random.Random(f"{seed} blinks {' '.join(word.text for word in utterance.words)}")
     chances = dict(_chances(utterance, timed))

@@ -1,9 +1,8 @@
-"""Stillness: how much of a schedule is left out and how small the rest is, from 0 (nothing, as it is) to 1 (all of it).
+"""Stillness removes a share of a schedule's behaviours and reduces the others, from 0 (unchanged) to 1 (all removed).
 
-The least important goes first: what the body does by itself, then what shows functions, in order of priority, and what
-an author changed last. Blinks and breath stay as they are: at 1 nothing else is left, and the realizer leaves the
-body's own life out by the same measure. It takes a gesture's amount for what stillness left of that for which there is
-time in the schedule.
+The least important behaviours are removed first: idle behaviours, then those that show functions, in order of priority,
+and edited ones last. Blinks and breath are unchanged; at 1 nothing else remains. The realizer reduces the body's idle
+motion by the same factor, and takes a gesture's amount as already reduced by stillness.
 """
 
 from collections.abc import Iterable
@@ -14,17 +13,17 @@ from ...model import Behavior, Channel, Listening, Performance
 BLINK, BREATH = "BLINK", "OPEN_LIPS"
 
 _KINDS = (Channel.EYES, Channel.GAZE, Channel.POSTURE, Channel.FACE, Channel.HEAD, Channel.GESTURE)
-"""Of movements of one priority the first of these goes first."""
+"""The order of removal among behaviours of equal priority."""
 
 
 USUAL_AMOUNT = 0.5
-"""The size of a gesture, head movement or face that says none, in BML of others."""
+"""The default size of a gesture, head movement or facial expression, for BML from other programs."""
 
 _SIZED = frozenset({Channel.GESTURE, Channel.HEAD, Channel.FACE})
 
 
 def with_stillness(performance: Performance, stillness: float) -> Performance:
-    """The performance with as much less movement of the speaker and of all who listen."""
+    """The performance with the movement of the speaker and of all listeners reduced by stillness."""
     return replace(
         performance,
         behaviors=stilled(performance.behaviors, stillness),
@@ -34,8 +33,8 @@ def with_stillness(performance: Performance, stillness: float) -> Performance:
 
 
 def stilled(behaviors: Iterable[Behavior], stillness: float) -> tuple[Behavior, ...]:
-    """The behaviours in their order: of those that are kept the least important share `stillness` is no longer, and the
-    amounts of the others are smaller by it."""
+    """The behaviours in order: of the kept ones the least important share `stillness` is dropped, and the amounts
+    of the others are reduced by it."""
     behaviors = tuple(behaviors)
     if not stillness:
         return behaviors
@@ -68,5 +67,5 @@ def _smaller(behavior: Behavior, stillness: float) -> Behavior:
 
 
 def to_thousandths(amount: float) -> float:
-    """The amount as BML says it, which is exact enough for any eye."""
+    """The amount rounded to thousandths, the precision in BML."""
     return round(amount, 3)

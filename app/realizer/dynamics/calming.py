@@ -1,8 +1,8 @@
-"""Arms that are nowhere faster than arms are: where a wrist would be, or a joint would turn faster, the arm takes its
-turn less sharply, a little longer before and after it.
+"""Limits the speed of the arms: where a wrist moves or a joint turns faster than human arms do, the motion is smoothed
+around the fast frames.
 
-Arms are calmed twice: by themselves, before the trunk follows them, and in the world, after all that moves them besides
-has added its own speed: trunk and steps, hands that drag, limbs that are kept apart.
+Arms are smoothed twice: alone, before the trunk follows them; and in the world, after all other sources of speed have
+been added: trunk, steps, follow-through of the hands, collision avoidance.
 """
 
 from collections.abc import Callable, Sequence
@@ -21,12 +21,13 @@ from ..geometry.curves import smoothed
 from ..geometry.rotations import keep_signs, normalized, rotate
 
 Wrists = Callable[[Sequence[FloatArray], slice], FloatArray]
-"""The places (2, F, 3) of the wrists of a left and a right arm (F, 19, 4) in these frames."""
+"""Computes the positions (2, F, 3) of the wrists of a left and a right arm (F, 19, 4) in these frames."""
 
 
 @dataclass(frozen=True, slots=True)
 class FastestArms:
-    """The most of a wrist's speed, and of that of the joints in these rows of an arm, about any axis."""
+    """The maximum speed of a wrist, and the maximum angular speed, about any axis, of the joints in these rows of an
+    arm."""
 
     wrist_m_s: float
     joint_rad_s: float
@@ -34,26 +35,27 @@ class FastestArms:
 
 
 BY_THEMSELVES = FastestArms(2.5, 16.0, ARM_ROWS)
-"""Beside the trunk, which adds its own speed."""
+"""The limits for the arms alone; the trunk adds its own speed."""
 IN_THE_WORLD = FastestArms(2.9, 18.5, slice(0, 4))
-"""No wrist is faster than 3 m/s on the whole, and neither hand nor arm turns by more than 20 rad/s."""
+"""The limits in the world, such that in the result no wrist is faster than 3 m/s, and no hand or arm turns faster than
+20 rad/s."""
 
 _ROUNDS, _CALMER_S, _AROUND_S = 8, 0.045, 0.08
 _NEAR = 0.15
-"""The share of fast frames around one of which it is calmed wholly."""
+"""The share of fast frames in the neighbourhood of a frame from which on it is smoothed fully."""
 _BESIDE_S = 0.6
-"""What is farther from a fast frame than both smoothings reach is not calmed."""
+"""Frames farther than this from every fast frame are beyond the reach of both smoothings and are skipped."""
 _TRUNK = ("hips", "spine", "chest", "upperChest")
 
 
 def calm(skeleton: Skeleton, arms: Sequence[FloatArray], times_s: FloatArray) -> FloatArray:
-    """Smooth the left and the right arm (T, 19, 4), in place, around what is faster than arms are by themselves; the
-    places of the wrists (2, T, 3) afterwards. The first and the last pose stay."""
+    """Smooth the left and the right arm (T, 19, 4), in place, around frames above the limits for arms alone. Returns
+    the resulting positions of the wrists (2, T, 3). The first and the last pose are unchanged."""
     return _calmed(arms, times_s, lambda some, _frames: wrists_of(skeleton, *some), BY_THEMSELVES)
 
 
 def with_calm_arms(skeleton: Skeleton, body: BodyMotion) -> BodyMotion:
-    """The body with its arms smoothed around what is too fast in the world; the same body where nothing is."""
+    """The body with its arms smoothed around frames above the limits in the world; the same body if there are none."""
     arms = [body.rotations[:, skeleton.rows(*arm_joints(side))] for side in (Hand.LEFT, Hand.RIGHT)]
     wrists = _carried(skeleton, body)
     if not _fast(wrists(arms, slice(None)), arms, _step_s(body.times_s), IN_THE_WORLD).any():
@@ -67,7 +69,7 @@ def with_calm_arms(skeleton: Skeleton, body: BodyMotion) -> BodyMotion:
 
 
 def _carried(skeleton: Skeleton, body: BodyMotion) -> Wrists:
-    """Where wrists are in the world, carried by this body's chest."""
+    """The positions of the wrists in the world, for arms attached to this body's chest."""
     at_m, turned = forward(skeleton, body.rotations, body.hips_m, _trunk(skeleton))
     chest = skeleton.index["upperChest"]
     upright_m = np.sum(skeleton.offsets_m[skeleton.chain(*_TRUNK[1:])], axis=0)
@@ -86,7 +88,7 @@ def _trunk(skeleton: Skeleton) -> frozenset[int]:
 
 
 def _calmed(arms: Sequence[FloatArray], times_s: FloatArray, wrists: Wrists, fastest: FastestArms) -> FloatArray:
-    """Smooth both arms in place; the places of the wrists afterwards."""
+    """Smooth both arms in place; returns the resulting positions of the wrists."""
     step_s = _step_s(times_s)
     wrists_m = wrists(arms, slice(None))
     from_end_s = np.minimum(times_s - times_s[0], times_s[-1] - times_s)
@@ -110,7 +112,7 @@ def _step_s(times_s: FloatArray) -> float:
 
 
 def _fast(wrists_m: FloatArray, arms: Sequence[FloatArray], step_s: float, fastest: FastestArms) -> NDArray[np.bool_]:
-    """Whether each arm is too fast from a frame to the next (2, T)."""
+    """Whether each arm is too fast between a frame and the next (2, T)."""
     speeds = np.linalg.norm(np.diff(wrists_m, axis=1, append=wrists_m[:, -1:]), axis=2) / step_s
     most_rad = fastest.joint_rad_s * step_s
     turns_fast = np.stack([_turns_fast(arm[:, fastest.rows], most_rad) for arm in arms])
@@ -118,13 +120,13 @@ def _fast(wrists_m: FloatArray, arms: Sequence[FloatArray], step_s: float, faste
 
 
 def _turns_fast(rows: FloatArray, most_rad: float) -> NDArray[np.bool_]:
-    """Whether a joint (T, J, 4) turns too far from a frame to the next."""
+    """Whether a joint (T, J, 4) turns too fast between a frame and the next."""
     cosines = np.abs(np.einsum("tjq,tjq->tj", rows[1:], rows[:-1])).min(axis=1, initial=1.0)
     return np.append(cosines < np.cos(most_rad / 2), False)
 
 
 def _stretches(marked: NDArray[np.bool_], margin: int) -> list[slice]:
-    """The frames around each that is marked, so many before and after it."""
+    """The intervals of frames around marked frames, with a margin before and after."""
     [frames] = np.nonzero(marked)
     parts = np.split(frames, np.flatnonzero(np.diff(frames) > 2 * margin) + 1)
     return [slice(max(int(part[0]) - margin, 0), int(part[-1]) + margin + 1) for part in parts]

@@ -1,9 +1,9 @@
 """Follow-through: hands lag behind their wrists, fingers lag behind the hand one after another, and never stand still.
 
-A hand is not rigidly fixed to the forearm: when the wrist starts it lags, when the wrist stops it swings on, and
-the fingers do the same a little later, from the index to the little finger. Both follow the speed of the wrist across
-the hand a moment ago, so that a hand that is held is as its gesture has it. Besides, fingers curl and stretch a little
-all the time, each by itself.
+A hand is not rigidly fixed to the forearm: it lags when the wrist starts, and swings on when the wrist stops. The
+fingers do the same a little later, from the index to the little finger. The lag is a function of the delayed speed of
+the wrist across the hand, so during a hold the hand has the pose of its gesture. In addition, each finger curls and
+stretches slightly all the time.
 
 Conventions: `posing.arm_joints` has the rows of an arm; the left arm's axes, mirrored for the right arm.
 """
@@ -29,7 +29,7 @@ _POINTING, _RELAXED = 0.7, 0.6
 _SOFT_RAD, _MOST_CURL_RAD = float(np.radians(3.0)), float(np.radians(16.0))
 
 _ASIDE = 0.4
-"""How much less a hand lags sideways, towards thumb or little finger, than towards palm and back."""
+"""The factor of sideways lag, towards thumb or little finger, relative to lag towards palm and back."""
 _LIFE_HZ = 0.75
 
 _AT_EASE = 0.6
@@ -71,13 +71,13 @@ def _across_the_hand(arm: FloatArray, speed: FloatArray) -> FloatArray:
 
 
 def _delayed(values: FloatArray, frames: float) -> FloatArray:
-    """The values (T, …) as they were so many frames ago."""
+    """The values (T, …) delayed by this many frames."""
     whole = round(frames)
     return np.concatenate([values[:1].repeat(whole, axis=0), values[: len(values) - whole]])[: len(values)]
 
 
 def _at_most(angles: FloatArray) -> FloatArray:
-    """Lags, limited smoothly to `_MOST_RAD` however fast the wrist is."""
+    """Lags, limited smoothly to `_MOST_RAD` at any speed of the wrist."""
     return np.asarray(_MOST_RAD * np.tanh(angles / _MOST_RAD))
 
 

@@ -1,7 +1,8 @@
-"""Gestures that are others when calm or agitated (paper §3.8: each has its own recording for low, medium and high).
+"""Variants of gestures for low and high agitation (in paper §3.8 each gesture has its own recording for low, medium and
+high).
 
-Beside scaling, calm hands stay lower and nearer to the body, relaxed; agitated ones go up and out, spread
-(`variants` of lexicon/movement.yaml). What shows a place, a height, a size or points at something stays as it is.
+In addition to scaling, calm hands stay lower, nearer to the body and relaxed; agitated hands go up and out, spread
+(`variants` of lexicon/movement.yaml). Gestures that point or show a place, a height or a size are unchanged.
 """
 
 from collections.abc import Mapping
@@ -16,7 +17,7 @@ _OPEN = frozenset({HandForm.DEFAULT, HandForm.FLAT, HandForm.SPREAD})
 
 
 def varied(placed: PlacedGesture, variants: Mapping[str, LevelVariants]) -> PlacedGesture:
-    """The gesture as it is at its level of agitation."""
+    """The variant of the gesture for its level of agitation."""
     clip = placed.clip
     found = variants.get(clip.category)
     if found is None or clip.level is Level.MEDIUM or placed.request.slots or clip.aimed:

@@ -17,9 +17,9 @@ from ..gestures.gesture_plan import ArmRest, Repeat
 SPACING_S = 0.5
 """The shortest time between the ends of two beats."""
 _LIFT_S = 0.42
-"""How long a beat takes, up and down."""
+"""The duration of a beat, up and down."""
 _SETTLED_S = 0.15
-"""There are no beats so soon after a rest begins, nor so shortly before it ends."""
+"""The minimum time between a beat and the start or end of the rest."""
 _OTHER_SHARE, _OTHER_LAG_S = 0.6, 0.05
 _STEPS_S = (0.45, 0.75)
 _UNSTRESSED = 0.65
@@ -28,7 +28,7 @@ _UNSTRESSED = 0.65
 
 @dataclass(frozen=True, slots=True)
 class Habits:
-    """Which hand leads, and the seed of what is drawn."""
+    """The leading hand, and the random seed."""
 
     leading: Hand
     seed: int

@@ -1,10 +1,10 @@
 """Shortens strokes: the same path in less time, around the same emphasis, so that the accent is the fastest movement.
 
-People's strokes peak at 1.1 to 1.4 m/s, about as fast as their retractions, and no two last equally long; clips alone
-have only a few durations. A stroke is quickened until its mean speed is what the level of agitation and chance ask
-for, never slowed; what is slow by its meaning stays slow. Its emphasis stays at its time, preparation and hold have the
-time that is left. The speed for which gestures are planned stays that of the clip, so that ways between gestures are no
-faster.
+People's strokes peak at 1.1 to 1.4 m/s, about as fast as their retractions, and their durations vary; clips have only
+a few durations. A stroke is shortened until its mean speed reaches a random value that depends on the level of
+agitation, and never lengthened; gestures that are slow by their meaning stay slow. The time of the emphasis is
+unchanged; preparation and hold fill the remaining time. Gestures are still planned with the speed of the clip, so that
+movements between gestures do not become faster.
 """
 
 from dataclasses import replace
@@ -26,17 +26,17 @@ _LEAST_S = 0.17
 _WOUND_UP_M_S = 1.1
 """The fastest mean speed of a stroke that is wound up, in its own time."""
 _USUAL_POWER = 0.5
-"""A stroke that is quick stops abruptly by itself; more power would make its middle faster still."""
+"""The maximum power of a quickened stroke, which stops abruptly anyway; more would make its middle even faster."""
 _SLOWEST = 2.0
 """The largest factor by which a stroke may be slowed."""
 _LEAST_SIZE = 0.5
-"""Gestures that are asked to be smaller than this stay as small."""
+"""Gestures with a smaller requested size are not wound up."""
 _SHORTEST_M = 0.05
 """Strokes of the wrist or the fingers alone are neither wound up nor quickened."""
 _NOT_NEARER_M: FloatArray = np.array([0.02, -0.02, 0.19])
-"""A hand that is drawn back stays on its side, over the hips and before the body."""
+"""The limits of drawing back one hand: it stays on its side, above the hips and in front of the body."""
 _NOT_NEARER_BOTH_M: FloatArray = np.array([0.11, -0.02, 0.19])
-"""Two stay apart as well, by their own lengths."""
+"""The limits of drawing back both hands, which also stay apart by a hand's length."""
 _HEAD_M, _BODY_M, _CAREFUL = 0.52, 0.18, 0.9
 """Strokes that end above the shoulders or before the body are hardly quickened."""
 _HIGHEST_M = 0.36
@@ -46,8 +46,8 @@ _LEVELS = (Level.LOW, Level.MEDIUM, Level.HIGH)
 
 
 def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -> PlacedGesture:
-    """The gesture with its stroke at the speed drawn for it, or of the duration asked for; unchanged if it is that fast
-    already."""
+    """The gesture with its stroke at a random speed, or of the requested duration; unchanged if it is already as
+    fast."""
     clip = placed.clip
     level = _LEVELS.index(clip.level)
     if placed.request.asked.stroke_s is not None:
@@ -65,7 +65,7 @@ def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -
 
 
 def _lasting(placed: PlacedGesture, length_s: float, most_m_s: float) -> PlacedGesture:
-    """The gesture with a stroke of this duration, within the speeds at which a hand can move and seems to strike."""
+    """The gesture with a stroke of this duration, within the range of plausible speeds of a stroke."""
     stroke_s = placed.clip.markers.stroke_end - placed.clip.markers.stroke_start
     fastest = max(_stroke_m(placed)[1] / most_m_s, min(1.0, _LEAST_S / stroke_s))
     return replace(placed, clip=quickened(placed.clip, min(max(length_s / stroke_s, fastest), _SLOWEST)))
@@ -77,7 +77,7 @@ def _circles(clip: Clip) -> bool:
 
 
 def _is_close(placed: PlacedGesture) -> bool:
-    """Whether a stroke ends at the head or at the body, which a hand does not strike."""
+    """Whether a stroke ends at the head or at the body, which the hand should not hit."""
     ends_m = (stroke_end_m(placed, side) for side in placed.arms)
     return any(end_m[1] > _HEAD_M or end_m[2] < _BODY_M for end_m in ends_m)
 
