@@ -49,7 +49,7 @@ _STANDING: Feet = (Footing((0.115, 0.08, -0.012), 0.16), Footing((-0.110, 0.08, 
 
 @lru_cache(maxsize=64)
 def standing(skeleton: Skeleton) -> Feet:
-    """Slightly apart, toes out, the left foot a little in front."""
+    """The usual footing: feet slightly apart, toes out, the left foot a little in front."""
     scale, hips = skeleton.proportions.scale, skeleton.proportions.hips
     left, right = (
         Footing((hips * foot.ankle_m[0], scale * foot.ankle_m[1], scale * foot.ankle_m[2]), foot.yaw)
@@ -59,7 +59,7 @@ def standing(skeleton: Skeleton) -> Feet:
 
 
 def feet_of(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> FeetCourse:
-    """Where the feet of a body are, whose soles are level."""
+    """The position of a body's feet, assuming level soles."""
     legs_only = frozenset([0, *skeleton.chain(*LEG_JOINTS)])
     places_m, turned = forward(skeleton, rotations, hips_m, legs_only)
     rows = skeleton.chain(*(side + "Foot" for side in SIDES))
@@ -84,7 +84,7 @@ def hips_height_m(
 
 
 def _placed(skeleton: Skeleton, feet: Feet | FeetCourse | None) -> tuple[FloatArray, FloatArray]:
-    """Ankles (2, T or 1, 3) and headings (2, T or 1) of these feet, of `standing` ones if there are none."""
+    """Ankles (2, T or 1, 3) and headings (2, T or 1) of these feet, by default of `standing`."""
     if isinstance(feet, FeetCourse):
         return feet.ankles_m, feet.yaws
     feet = feet or standing(skeleton)
@@ -110,8 +110,7 @@ def legs(
 def set_legs(
     skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray, feet: Feet | FeetCourse | None = None
 ) -> None:
-    """Turn the legs of a body with these local rotations (T, J, 4), so that its feet stay in place, or where `feet`
-    has them."""
+    """Turn the legs of a body with these local rotations (T, J, 4), so that its feet stay in place, or at `feet`."""
     for side, leg in zip(SIDES, legs(skeleton, rotations[:, 0], hips_m, feet), strict=True):
         rotations[:, skeleton.rows(*(side + part for part in _LEG))] = leg.swapaxes(0, 1)
 
@@ -141,7 +140,7 @@ def _swung(swing: FloatArray, spread: FloatArray) -> FloatArray:
 
 
 def _hip_joints_m(skeleton: Skeleton) -> FloatArray:
-    """Where the legs begin (2, 1, 3), in the space of the hips."""
+    """The positions of the hip joints (2, 1, 3), in the space of the hips."""
     return skeleton.offsets_m[skeleton.chain(*(side + "UpperLeg" for side in SIDES)), None]
 
 

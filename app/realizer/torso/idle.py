@@ -1,19 +1,16 @@
 """Idle motion: the body stands, breathes, sways, and is never quite still (paper §3.8).
 
-All other controllers build on this motion. Conventions: degrees in the tables, radians and metres elsewhere; the arms
-hang at the sides until gestures override them; neck and head are straight until the gaze turns them. The amplitudes are
-ours: enough to look alive, too little to attract attention.
+All other controllers build on this motion. The arms hang at the sides until gestures override them; neck and head are
+straight until the gaze turns them. The amplitudes are ours: enough to look alive, too little to attract attention.
 
-Breathing: the lungs fill in speech pauses and empty slowly during phrases.
+Breathing: at rest people breathe about 15 times a minute, inhaling for two fifths of the cycle. Speakers inhale quickly
+and more deeply in pauses and before the first word, and exhale slowly over whole phrases. Lung volume is 0 after quiet
+expiration and 1 after deep inspiration.
 
-Conventions: seconds; lung volume is 0 after quiet expiration and 1 after deep inspiration. At rest people breathe about
-15 times a minute, inhaling for two fifths of the cycle. Speakers inhale quickly and more deeply in pauses and before
-the first word, and exhale over whole phrases.
+Bearing: an agitated person leans forward with the chest lifted; a lax person leans back a little with a rounded upper
+back. The angles are ours.
 
-How people of different temper carry themselves: who is agitated leans forward with the chest lifted, who is lax leans
-back a little and lets the upper back round.
-
-Conventions: degrees in the tables, radians elsewhere; positive pitch is forward. The angles are ours.
+Conventions: seconds; degrees in the tables, radians and metres elsewhere; positive pitch is forward.
 """
 
 from collections.abc import Iterator, Mapping, Sequence

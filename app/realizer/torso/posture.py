@@ -40,7 +40,7 @@ POSTURES: Mapping[str, Posture] = MappingProxyType(
         "WEIGHT_ON_RIGHT_LEG": Posture(0.0, 0.0, -1.0),
     }
 )
-"""Leans that need no step but show from the side; the angles are ours."""
+"""Leans that need no step but are visible from the side; the angles are ours."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -68,12 +68,13 @@ def trunk_postures(times_s: FloatArray, behaviors: Iterable[Behavior], *, weight
 
 
 def reached_s(shift: Behavior) -> float:
-    """When the posture should be reached."""
+    """The time at which the posture is to be reached."""
     return shift.sync.end if shift.sync.ready is None else shift.sync.ready
 
 
 def _lasts(shift: Behavior) -> bool:
-    """Whether it is a `postureShift`, which ends when it is reached, or a `posture`, which ends with the return."""
+    """Whether a behaviour is a `postureShift`, which ends when it is reached, and not a `posture`, which ends with the
+    return."""
     return shift.sync.end <= reached_s(shift)
 
 

@@ -1,14 +1,12 @@
-"""Stances: from phrase to phrase the weight shifts to the other leg, just before the voice begins, and the ribs bend
-and turn against the pelvis.
+"""Stances: between phrases, just before the voice begins, the weight shifts to the other leg, and the ribs bend and
+turn against the pelvis. Also the dependence of idle movement on agitation and stillness; the factors are ours.
 
-Speakers shift their posture where a new unit of talk begins (Cassell et al. 2001; Kendon 1972), the weight first, since
-the large masses set out before the limbs. In a long phrase the stance changes now and then as well. A weight that the
-schedule asks for is kept.
+Speakers shift their posture where a new unit of talk begins (Cassell et al. 2001; Kendon 1972). The weight shifts
+first, since large masses move before the limbs. During long phrases the stance changes occasionally as well. A weight
+shift requested by the schedule is kept.
 
 Conventions: seconds, radians; the weight is 1 on the left leg, -1 on the right; pitch, yaw and roll as in
 `understudy.realizer.geometry.rotations`.
-
-How the amount of idle movement depends on the speaker's agitation and the schedule's stillness; the factors are ours.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -22,11 +20,11 @@ from ..body.movement_style import IdleLife
 from ..geometry.curves import superposed_movements
 
 BEFORE_S = 0.35
-"""The weight begins to shift so long before the voice."""
+"""The time from the start of a weight shift to the start of the voice."""
 MOVING_S = (0.6, 0.95)
 
 LASTS_S = (2.0, 3.4)
-"""How long a stance lasts within a phrase."""
+"""The duration of a stance within a phrase."""
 
 SHORTEST_S = 1.1
 """The shortest time between two changes, and between the last change and the end of a phrase."""
@@ -61,7 +59,7 @@ def stances(times_s: FloatArray, schedule: Schedule, life: IdleLife, *, seed: in
 
 
 def beside(asked: FloatArray, own: FloatArray, *, uneven: float) -> FloatArray:
-    """The weight (T,): what the postures ask for (`asked`) plus the body's `own` shifts. The further a posture has
+    """The weight (T,): that of the postures (`asked`) plus the body's `own` shifts. The further a posture has
     shifted the weight beyond the usual `uneven` share, the smaller the body's own shifts are."""
     free = 1 - 0.8 * np.clip((np.abs(asked) - uneven) / (1 - uneven), 0.0, 1.0)
     return np.asarray(np.clip(asked + free * own, -MOST_WEIGHT, MOST_WEIGHT))
@@ -84,7 +82,7 @@ def _drawn(count: int, generator: np.random.Generator) -> FloatArray:
 
 
 def _changes_s(end_s: float, phrases: Sequence[Interval], generator: np.random.Generator) -> Iterator[float]:
-    """When stances change: before phrases, and within long ones."""
+    """The times of changes of stance: before phrases, and within long ones."""
     last_s = -SHORTEST_S
     for phrase in phrases:
         at_s = phrase.start_s - BEFORE_S

@@ -1,8 +1,8 @@
-"""In long takes people move their feet: where another sentence begins the body steps a little aside, to or fro.
+"""Small steps in long takes: at the beginning of a sentence the body steps a little to the side, forward or back.
 
-First the weight goes to one leg and the other foot is lifted and put down, then the other way round; in between the
-feet stay planted. In short takes nobody steps. Conventions: metres in the world, seconds, radians; the feet's
-course is that of `understudy.realizer.torso.balance`.
+First the weight shifts to one leg while the other foot is lifted and put down, then vice versa; between steps the feet
+stay planted. There are no steps in short takes. Conventions: metres in the world, seconds, radians; the feet's course
+is that of `understudy.realizer.torso.balance`.
 """
 
 from collections.abc import Iterator
@@ -19,27 +19,28 @@ from .balance import FeetCourse, Footing, hips_height_m, set_legs, standing
 SHORTEST_TAKE_S = 20.0
 FIRST_S = 5.0
 APART_S = (8.0, 15.0)
-"""A step comes with the first sentence or phrase that begins so long after the last one, and at the latter at last:
-four to seven times a minute, both feet each time. Actors step more often, story tellers at rest less."""
+"""The minimum and maximum time between steps. A step comes with the first sentence or phrase that begins after the
+minimum, at the latest after the maximum: four to seven times a minute, both feet each time. Actors step more often,
+resting story tellers less often."""
 _STILL = 0.5
-"""From this stillness on the feet stay where they are."""
+"""From this stillness on there are no steps."""
 
 AHEAD_S = 0.25
-"""How much earlier than the voice the first foot is lifted."""
+"""The time from lifting the first foot to the start of the voice."""
 SWING_S, BETWEEN_S, SETTLING_S = 0.40, 0.12, 0.30
 LIFT_M = 0.035
 WAY_M = (0.035, 0.075)
-"""How far to the side the body steps, and back the next time; to and fro it is two thirds of that."""
+"""The range of steps to the side, and back the next time; steps forward and back are two thirds of that."""
 _FORWARD = 0.66
 _TURN = np.radians(5.0)
 _OVER_LEG = 0.75
-"""How far the hips go over the foot that stands while the other one is in the air."""
+"""How far the hips shift over the standing foot while the other one is in the air."""
 
 
 @dataclass(frozen=True, slots=True)
 class FootStep:
-    """Where the body steps to from its place at first, and how far the feet turn; `first` is the foot that goes first,
-    0 for the left."""
+    """The target of a step relative to the initial position, and the turn of the feet; `first` is the foot that moves
+    first, 0 for the left."""
 
     start_s: float
     to_m: tuple[float, float]
@@ -47,7 +48,7 @@ class FootStep:
     first: int
 
     def swing_s(self, foot: int) -> tuple[float, float]:
-        """When a foot is lifted, and when it is put down."""
+        """The times at which a foot is lifted and put down."""
         start_s = self.start_s + (0.0 if foot == self.first else SWING_S + BETWEEN_S)
         return start_s, start_s + SWING_S
 
@@ -55,7 +56,7 @@ class FootStep:
 def with_steps(
     skeleton: Skeleton, body: BodyMotion, schedule: Schedule, *, seed: int
 ) -> tuple[BodyMotion, tuple[Decision, ...]]:
-    """The body that steps, and the decisions about it; deterministic for a seed."""
+    """The body with steps, and the decisions about them; deterministic for a seed."""
     steps = steps_of(schedule, seed=seed)
     if not steps:
         return body, ()
@@ -88,7 +89,8 @@ def steps_of(schedule: Schedule, *, seed: int) -> tuple[FootStep, ...]:
 
 
 def _starts_s(schedule: Schedule) -> Iterator[float]:
-    """When to step: with changes of posture, which mark another topic, else with phrases, else when it is time."""
+    """The times of steps: with changes of posture, which mark a new topic, otherwise with phrases, otherwise after the
+    maximum time."""
     shifts = [each.sync.start for each in schedule.behaviors if each.kept and each.kind is Channel.POSTURE]
     phrases = [each.start_s - AHEAD_S for each in schedule.phrases]
     whole_s = 2 * (SWING_S + BETWEEN_S) + SETTLING_S
@@ -103,7 +105,7 @@ def _starts_s(schedule: Schedule) -> Iterator[float]:
 
 
 def _course(times_s: FloatArray, planted: tuple[Footing, Footing], steps: tuple[FootStep, ...]) -> FeetCourse:
-    """Where both feet are over time."""
+    """The course of both feet."""
     ankles_m = np.array([np.tile(foot.ankle_m, (len(times_s), 1)) for foot in planted])
     yaws = np.array([np.full(len(times_s), foot.yaw) for foot in planted])
     for foot in (0, 1):
@@ -121,7 +123,7 @@ def _course(times_s: FloatArray, planted: tuple[Footing, Footing], steps: tuple[
 
 
 def _carried(times_s: FloatArray, steps: tuple[FootStep, ...]) -> FloatArray:
-    """The way of the hips with the feet (T, 2), aside and away."""
+    """The path of the hips with the feet (T, 2), sideways and forward."""
     way_m, from_m = np.zeros((len(times_s), 2)), np.zeros(2)
     for step in steps:
         whole_s = 2 * SWING_S + BETWEEN_S + SETTLING_S
@@ -134,7 +136,7 @@ def _carried(times_s: FloatArray, steps: tuple[FootStep, ...]) -> FloatArray:
 def _over_the_standing_leg(
     times_s: FloatArray, aside_m: FloatArray, feet: FeetCourse, steps: tuple[FootStep, ...]
 ) -> FloatArray:
-    """The hips' place from side to side (T,), over one foot while the other is in the air."""
+    """The lateral position of the hips (T,), over one foot while the other is in the air."""
     for step in steps:
         for foot in (0, 1):
             lifted_s, down_s = step.swing_s(foot)

@@ -1,12 +1,12 @@
-"""The trunk follows the gestures: it turns and leans towards the hands, the weight shifts along, and with each stroke
-the knees give way, the trunk bows and twists, and its shoulders tip.
+"""The trunk follows the gestures: it turns and leans towards the hands, and the weight shifts with it; with each stroke
+the knees bend, the trunk bows and twists, and the shoulders tilt.
 
 Towards Natural Gesture Synthesis (§3.4) puts body rotation on tracks with an offset and moves the wrist targets with
 the body. Here a few degrees and centimetres derived from the wrists are added to the trunk's motion, low-pass filtered
 and slightly ahead of the hands, since larger masses move first.
 
-Its part in strokes is Lasseter's principle that movement starts at the body's middle: it sets out before the hand and
-strikes with it.
+The trunk's part in strokes follows Lasseter's principle that movement starts at the centre of the body: the trunk
+starts before the hand and reaches the emphasis with it.
 
 Conventions: radians, metres, seconds; wrists in the hips' space of the upright body (x to the own side, y up, z
 away); a rotation vector leans forward, turns to the left, tips to the right.
@@ -39,8 +39,8 @@ WEIGHT_M_M = 0.05
 BACK_M_M = (0.05, 0.07)
 """Per metre: forward lean towards the hand that is farther out, straightening for hands above the chest, yaw towards
 the hand farther to the side, yaw with the hand that reaches farther, side bend away from the higher hand, and lateral
-hip shift; and the way of the hips back, by each hand's reach and by the farther one's, after which the trunk leans.
-With the latter two, hands that are far away carry the centre of mass 5 mm forward instead of 16
+hip shift; and the backward movement of the hips, by each hand's reach and by the farther one's, after which the trunk
+leans. With the latter two, hands far from the body move the centre of mass 5 mm forward instead of 16
 (`benchmarks.realizer.balance`)."""
 
 _AT_EASE_M: FloatArray = np.array([0.15, 0.05, 0.20])
@@ -53,8 +53,8 @@ _AHEAD_S = 0.08
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AccentCourse:
-    """What strokes add over time: `turns` (T, 3) of the trunk, `dip_m` (T,) and `aside_m` (T,) of the hips, and how far
-    the `neck` (T,) reaches forward."""
+    """The movement added by strokes: `turns` (T, 3) of the trunk, `dip_m` (T,) and `aside_m` (T,) of the hips, and the
+    forward reach of the `neck` (T,)."""
 
     turns: FloatArray
     dip_m: FloatArray
@@ -65,8 +65,8 @@ class AccentCourse:
 def follow_with_trunk(
     skeleton: Skeleton, body: BodyMotion, wrists_m: FloatArray, accents: AccentCourse | None = None
 ) -> None:
-    """Turn the trunk of this body, in place, after the left and the right wrist (2, T, 3), and add what strokes do to
-    it; the feet stay in place."""
+    """Turn the trunk of this body, in place, after the left and the right wrist (2, T, 3), and add the movement of
+    strokes; the feet stay planted."""
     left, right = wrists_m - _AT_EASE_M
     turns = _followed(body.times_s, _turns(left, right), _SMOOTHING_S)
     turns = turns if accents is None else turns + accents.turns
@@ -87,7 +87,7 @@ def follow_with_trunk(
 
 
 def _way_back_m(left: FloatArray, right: FloatArray) -> FloatArray:
-    """How far back (T,) the hips go so that the centre of mass stays over the feet while hands reach away."""
+    """The backward movement (T,) of the hips that keeps the centre of mass over the feet while the hands reach out."""
     left_m, right_m = np.maximum(left[:, 2], 0.0), np.maximum(right[:, 2], 0.0)
     by_arms, by_lean = BACK_M_M
     return np.asarray(by_arms * (left_m + right_m) + by_lean * np.maximum(left_m, right_m))
@@ -112,7 +112,7 @@ def _followed(times_s: FloatArray, course: FloatArray, width_s: float) -> FloatA
 
 
 AHEAD_S = 0.12
-"""How much earlier than the hand the trunk sets out."""
+"""The time by which the trunk starts before the hand."""
 RECOVERY_S = 0.5
 SHORTEST_S = 0.22
 

@@ -1,15 +1,15 @@
-"""Arms, shoulders and neck on a trunk that moves.
+"""Adapts arms, shoulders and neck to a moving trunk.
 
-Arms that point stay on the line from shoulder to target, however the trunk stands and leans. Poses are made for an
-upright body (`understudy.realizer.arms.posing`), and a stance of some degrees to the side would point past its target
-by as much. The upper arm is turned back as the hand gets there, and let go with the gesture.
+Pointing arms stay on the line from shoulder to target for any stance or lean of the trunk. Poses are computed for an
+upright body (`understudy.realizer.arms.posing`), so without this a tilted trunk would make the arm miss its target by
+the same angle. The rotation of the upper arm is corrected while the hand approaches, and released with the gesture.
 
-Arms that hang keep hanging straight down while the ribs bend to the side, as weights do, and stay off the hips.
+Hanging arms keep hanging straight down while the ribs bend to the side, and stay off the hips.
 
-Shoulders shrug and the neck reaches forward, between a trunk and arms and head that are placed already. Both
-collarbones rise with the gestures that say who knows, and sink as they relax; the arms keep their orientation, so that
-hands rise with the shoulders and stay as they are turned. The neck is inclined in standing, nods along with strokes,
-and is never quite still; the head keeps its orientation, so gaze and head movements remain what they are.
+Shrugs and the forward reach of the neck are added after trunk, arms and head are placed. Both collarbones rise with
+gestures of uncertainty, and sink as they relax; the arms keep their orientation, so the hands rise with the shoulders
+without turning. The neck is inclined in standing, nods with strokes, and is never quite still; the head keeps its
+orientation, so gaze and head movements are unchanged.
 
 Conventions: radians; world axes, y up, z forward.
 """
@@ -32,11 +32,11 @@ from .stance import idle_activity
 
 _TRUNK = ("hips", "spine", "chest", "upperChest")
 _LEFT_S = 0.4
-"""After the gesture's relax an arm that goes elsewhere has given up its aim."""
+"""The time after the gesture's relax in which an arm that moves elsewhere releases its aim."""
 
 
 def with_aimed_arms(skeleton: Skeleton, body: BodyMotion, arms: Sequence[ArmGesture]) -> BodyMotion:
-    """The body whose pointing arms are on their lines."""
+    """The body with its pointing arms corrected to point at their targets."""
     aimed = [arm for arm in arms if arm.placed.aim_m is not None and not arm.placed.follows]
     if not aimed:
         return body
@@ -49,7 +49,8 @@ def with_aimed_arms(skeleton: Skeleton, body: BodyMotion, arms: Sequence[ArmGest
 
 
 def _share(arm: ArmGesture, times_s: FloatArray) -> FloatArray:
-    """How much the arm is on its line (T,): from the start of the gesture more and more, wholly from the stroke's."""
+    """The weight of the correction (T,): it rises from the start of the gesture, and is 1 from the start of the
+    stroke."""
     markers = arm.markers
     left_s = max(markers.end, markers.relax + _LEFT_S)
     points_s = np.maximum.accumulate([markers.start, markers.stroke_start, markers.relax, left_s])
@@ -58,7 +59,7 @@ def _share(arm: ArmGesture, times_s: FloatArray) -> FloatArray:
 
 
 def _turned(skeleton: Skeleton, rotations: FloatArray, arm: ArmGesture, share: FloatArray) -> FloatArray:
-    """Local rotations with the upper arm turned back, by its share, by what the trunk is turned from upright."""
+    """Local rotations with the upper arm turned back, by its share, against the trunk's rotation from upright."""
     chest = rotations[:, 0]
     for joint in skeleton.chain(*_TRUNK[1:]):
         chest = multiply(chest, rotations[:, joint])
@@ -74,12 +75,12 @@ def _turned(skeleton: Skeleton, rotations: FloatArray, arm: ArmGesture, share: F
 _HANGS, _WHOLLY = 0.80, 0.95
 """The drop of the upper arm, as a share of its length, from which on and at which it counts as hanging."""
 _STRAIGHT = 0.85
-"""How much of the ribs' tilt a hanging arm does not follow."""
+"""The share of the ribs' tilt for which a hanging arm is compensated."""
 _UP, _OUT, _FORWARD = np.array([0.0, 1.0, 0.0]), np.array([1.0, 0.0, 0.0]), (0.0, 0.0, 1.0)
 
 
 def with_hanging_arms(skeleton: Skeleton, body: BodyMotion) -> BodyMotion:
-    """The body whose arms, where they hang, do not follow the ribs' tilt to the side."""
+    """The body with hanging arms that do not follow the sideways tilt of the ribs."""
     rotations = body.rotations.copy()
     chest = rotations[:, 0]
     for joint in skeleton.chain(*_TRUNK[1:]):
@@ -104,16 +105,16 @@ def _hanging(along: FloatArray) -> FloatArray:
 LIFTS_DEG: Mapping[str, float] = MappingProxyType(
     {"SHRUG": 14.0, "UNCERTAINTY": 12.0, "INDIFFERENCE": 11.0, "QUESTION": 5.0}
 )
-"""How far each gesture lifts the shoulders in its usual size; people's go up by 10 to 15°."""
+"""The lift of the shoulders in each gesture at its usual size; people's is 10 to 15°."""
 
 LEAST, MOST = 0.75, 1.2
-"""Shares of that in the smallest and the largest of them: a shrug of which nothing is seen is none."""
+"""The factors of the lift in the smallest and the largest gestures; smaller shrugs would be invisible."""
 
 SOONER_S = 0.06
-"""The shoulders are up a little before the hands."""
+"""The time by which the shoulders are up before the hands."""
 
 SHORTEST_S = 0.35
-"""How long they stay up at least."""
+"""The minimum time for which the shoulders stay up."""
 DOWN_S = 0.45
 _AXIS = (0.0, 0.0, 1.0)
 _RISING: Mapping[Hand, float] = MappingProxyType({Hand.LEFT: 1.0, Hand.RIGHT: -1.0})
