@@ -111,7 +111,7 @@ def form_of(profile: Profile, lexeme: str) -> FormHabit:
 
 
 def drawn(spread: Spread, rng: random.Random) -> float:
-    """A normally distributed random value, within two deviations of the mean."""
+    """A normally distributed random value, within two deviations of the mean, since rare extremes are slips."""
     return min(
         max(rng.gauss(spread.mean, spread.deviation), spread.mean - 2 * spread.deviation),
         spread.mean + 2 * spread.deviation,
