@@ -36,7 +36,7 @@ from ..head_and_gaze.gaze_targets import unknown_target, with_target
 from ..showing.directions import aims_m
 from ..showing.showing import as_shown, finger_first, showing, shown_decisions
 from .arm_timelines import ArmTimeline, arm_timeline, rest_changes, units_of
-from .pruning import KeptGestures, admit
+from .pruning import KeptGestures, admit, obstacle
 from .repetition import is_held_long, let_go_in_time, repeats_until_s, told_repeats, with_beats, with_repeats
 from .rests import posture_changes
 from .second_hand import HandHabits, led_by, of_arm
@@ -50,6 +50,9 @@ _STILL = 0.5
 _PACE = 1
 """What is drawn for a stroke, beside what is drawn for its gesture's hands."""
 _NOTICEABLE_S = 0.02
+_NEXT = 3
+"""A gesture and those after it that it may be in the way of, the next of either hand among them."""
+
 _ON_TIME_S = 0.01
 """Differences from the schedule below this are not reported."""
 
@@ -143,7 +146,19 @@ def chosen_clips(
             admission = admit(chain.from_iterable(options), kept, setting)
             kept = admission.kept
             decisions += (*admission.decisions, *_late(kept, request))
-    return KeptGestures(kept, (*decisions, *_shown(asked, kept)))
+    return KeptGestures(_of_their_levels(kept, setting), (*decisions, *_shown(asked, kept)))
+
+
+def _of_their_levels(kept: tuple[PlacedGesture, ...], setting: TransitionContext) -> tuple[PlacedGesture, ...]:
+    """The gestures as they are at their levels of agitation, where hands still have the time for the way between each
+    and its neighbours: the others stay as they are, for none is lost by it."""
+    for number, gesture in enumerate(kept):
+        other = varied(gesture, setting.style.variants)
+        changed = (*kept[:number], other, *kept[number + 1 :])
+        nearby = range(number, min(number + _NEXT, len(changed)))
+        if other is not gesture and all(obstacle(changed[n], changed[:n], setting) is None for n in nearby):
+            kept = changed
+    return kept
 
 
 @dataclass(frozen=True, slots=True)
@@ -174,7 +189,7 @@ class Draw:
         shown = [showing(each, shown_m) for each in plain]
         others, strokes = [one for one, other in zip(plain, shown, strict=True) if one is not other], self._strokes
         for each in shown:
-            strong = varied(wound_up(lifted(each, strokes), strokes), self.setting.style.variants)
+            strong = wound_up(lifted(each, strokes), strokes)
             others += [each] if strong is not each else []
             yield self._quick(strong)
         yield from map(self._quick, others)

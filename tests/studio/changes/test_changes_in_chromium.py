@@ -60,7 +60,7 @@ def test_a_mark_is_moved_by_mouse_the_motion_changes_and_is_undone(looked_at: Pa
 def _row_of_gestures(page: Page) -> float:
     """The height at which gestures lie: found by clicking down the timeline until one is selected."""
     stroke_s = _mark_s(page, "stroke")
-    for top_px in range(20, 400, 6):
+    for top_px in range(30, 400, 6):  # below the ruler
         x, y = place_of(page, stroke_s - 0.1, top_px)
         page.mouse.click(x, y)
         if page.locator("#selected h3[title^='gesture NEGATION']").count():
