@@ -46,12 +46,6 @@ def pytest_configure(config: pytest.Config) -> None:
     gc.disable()
 
 
-@pytest.hookimpl(optionalhook=True)
-def pytest_xdist_auto_num_workers() -> int:
-    """One process more than there are cores: for a third of their time, tests wait for a browser or a service."""
-    return (os.cpu_count() or 1) + 1
-
-
 def pytest_collection_finish() -> None:
     """What is collected stays to the end: garbage is looked for neither meanwhile nor in it, which takes half a second
     each time."""
