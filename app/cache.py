@@ -131,9 +131,11 @@ def _beginning(name: str) -> str:
 
 
 def _note_use(file: int) -> None:
-    """Dates a file, more exactly than its file system would."""
+    """Dates a file, more exactly than its file system would; where nothing can be written, nothing is discarded either,
+    and the date does not matter."""
     now_ns = time.time_ns()
-    os.utime(file, ns=(now_ns, now_ns))
+    with suppress(OSError):
+        os.utime(file, ns=(now_ns, now_ns))
 
 
 def _discard_old(folder: int, beginning: str) -> None:

@@ -1,5 +1,6 @@
 """What is kept is what would be made, whatever happens to the files; and nobody else's word is taken for it."""
 
+import errno
 import logging
 import os
 import pickle
@@ -112,6 +113,20 @@ def test_files_may_be_deleted_at_any_time(cache: Cache, make: Maker) -> None:
     the_file(cache).unlink()
     assert cache.kept("thing", [make.file], make)[0] == "some"
     assert make.times == 2
+
+
+def test_what_is_kept_is_read_where_nothing_can_be_written(
+    cache: Cache, make: Maker, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As in a container whose file system is read-only, with a cache that was filled before."""
+    first = cache.kept("thing", [make.file], make)
+    monkeypatch.setattr(os, "utime", _refused)
+    assert cache.kept("thing", [make.file], make) == first
+    assert make.times == 1
+
+
+def _refused(*_given: object, **_named: object) -> None:
+    raise OSError(errno.EROFS, os.strerror(errno.EROFS))
 
 
 def test_mistakes_are_never_kept(cache: Cache) -> None:
