@@ -73,13 +73,12 @@ def test_ratings_are_asked_when_all_clips_are_seen_and_saved_as_they_were_given(
     page.get_by_role("button", name="Begin").click()
     questions = page.locator("input[name=grade-0]").first
     assert questions.is_disabled()
-    page.evaluate("window.rate = 1 / 4")
+    page.evaluate("window.rate = 2")  # not changed while it plays: now and then Chromium would wait for sound for ever
     for letter in "ABC":
         page.evaluate("window.playing = undefined")
         page.get_by_role("button", name=f"Play {letter}").click()
         wait_until(page, "window.playing?.currentTime > 0")
         assert questions.is_disabled()
-        page.evaluate("window.playing.playbackRate = 16")
         _see_to_the_end(page)
     assert questions.is_enabled()
     for place, grade in enumerate((3, 9, 5)):
