@@ -87,7 +87,7 @@ class Cache:
         payload = self._read(name, key)
         if payload is not None:
             try:
-                kept: Value = _Unpickler(io.BytesIO(payload)).load()
+                kept: Value = _unpickled(payload)
             except (AttributeError, ImportError, TypeError) as error:
                 # A process that ran while its code was replaced wrote its old classes under the new code's key.
                 _log.debug("%s is of other code than this: %s", name, error)
@@ -232,6 +232,10 @@ def _pickled(value: object) -> bytes:
     return stream.getvalue()
 
 
+def _unpickled(payload: bytes) -> Any:  # noqa: ANN401  # what was pickled
+    return _Unpickler(io.BytesIO(payload)).load()
+
+
 def _read_only(content: dict[object, object]) -> MappingProxyType[object, object]:
     return MappingProxyType(content)
 
@@ -240,8 +244,12 @@ def _as_read_only(content: Any) -> tuple[Callable[..., object], tuple[object, ..
     return _read_only, (dict(content),)
 
 
-def _is_frozen(kind: Any) -> bool:  # noqa: ANN401  # typeshed does not know the attribute
-    return bool(kind.__dataclass_params__.frozen)
+@cache
+def _names_if_frozen(kind: type) -> tuple[str, ...] | None:
+    """The fields of a frozen dataclass; None of any other class."""
+    if not is_dataclass(kind) or not kind.__dataclass_params__.frozen:  # type: ignore[attr-defined]
+        return None
+    return tuple(part.name for part in fields(kind))
 
 
 class _Pickler(pickle.Pickler):
@@ -251,9 +259,10 @@ class _Pickler(pickle.Pickler):
     dispatch_table = MappingProxyType({MappingProxyType: _as_read_only})
 
     def reducer_override(self, value: object) -> Any:  # noqa: ANN401  # what pickle asks for
-        if not is_dataclass(value) or isinstance(value, type) or not _is_frozen(type(value)):
+        names = _names_if_frozen(type(value))
+        if names is None:
             return NotImplemented
-        return type(value), tuple(getattr(value, part.name) for part in fields(value))
+        return type(value), tuple([getattr(value, name) for name in names])
 
 
 class _Unpickler(pickle.Unpickler):

@@ -5,13 +5,14 @@ import gc
 import os
 import sys
 from collections.abc import Iterator
-from functools import cache
+from functools import cache, lru_cache
 
 import hypothesis
 import pytest
 
 from tests.support.examples import USUALLY, examples
 from understudy.api.workers.processes import Nursery
+from understudy.cache import _unpickled
 from understudy.models import Understudy
 from understudy.settings import Settings
 from understudy.syntax.parser import load_pipeline
@@ -32,6 +33,9 @@ BEGUN_FIRST = (
 )
 """Where files take long, the longest first: begun last, one of them would keep one process busy when all others are
 done."""
+
+COMPILED_FILES_KEPT = 16
+"""Twice what a load reads."""
 
 hypothesis.settings.register_profile("understudy", examples(USUALLY))
 hypothesis.settings.load_profile("understudy")
@@ -59,11 +63,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 @pytest.fixture(scope="session", autouse=True)
-def one_pipeline() -> Iterator[None]:
-    """Whatever loads models in a process of tests gets the same spaCy pipeline of a folder: it takes longer than all
-    else."""
+def read_once() -> Iterator[None]:
+    """Whatever loads models in a process of tests gets the same spaCy pipeline of a folder, and the same object of a
+    compiled file: reading them takes longer than all else."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("understudy.syntax.parser.load_pipeline", cache(load_pipeline))
+        patch.setattr("understudy.cache._unpickled", lru_cache(COMPILED_FILES_KEPT)(_unpickled))
         yield
 
 

@@ -13,9 +13,15 @@ from types import MappingProxyType
 
 import pytest
 
-from understudy.cache import GENERATIONS, Cache
+from understudy.cache import GENERATIONS, Cache, _unpickled
 from understudy.errors import AuthoringError
 from understudy.model import Interval
+
+
+@pytest.fixture(autouse=True)
+def read_each_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As outside the tests (tests/conftest.py)."""
+    monkeypatch.setattr("understudy.cache._unpickled", _unpickled)
 
 
 class Maker:

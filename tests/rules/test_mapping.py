@@ -2,8 +2,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.characters import CHARACTERS
 from tests.support.words.by_hand import FIGURE_8, figure_8, function, spoken, utterance
-from understudy.behavior.characters.overlays import Characters
 from understudy.errors import AuthoringError
 from understudy.model import BehaviorCandidates, Function, Level, Movement, Parse, Utterance, Word
 from understudy.rules.mapping import MappingRules, map_functions, offer_movements
@@ -11,7 +11,6 @@ from understudy.rules.program.program import load_program
 
 ROOT = Path(__file__).resolve().parents[2]
 RULES = ROOT / "app" / "rules"
-CHARACTERS = Characters.load(ROOT / "lexicon")
 
 # The behaviours that the paper's Table 2 names for each class, by our names.
 TABLE_2 = {

@@ -2,8 +2,9 @@
 
 `page` is a page that was not opened yet, of which nothing is kept for the next test; when a test is over it fails where
 something went wrong in the page, or where the page asked anybody but its own service. `opened` has performed the
-example line, for one test; `looked_at` too, for all tests of a module that leave the line as it is: a visit costs some
-three seconds of processor time, the first one five.
+example line, for one test; `looked_at` too, for all tests of a module that leave the line as it is. A visit costs some
+three seconds of processor time, the first of a page seven: so two pages serve the whole package, one visit after the
+other.
 """
 
 import shutil
@@ -25,9 +26,9 @@ STORED = "local_storage,indexeddb,cookies,cache_storage,service_workers"
 """What a page keeps in the browser, but for what belongs to its tab."""
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="package")
 def browser() -> Iterator[Browser]:
-    """Closed after each module: while playwright runs, nothing else in its process can run an event loop."""
+    """Closed after the package: while playwright runs, nothing else in its process can run an event loop."""
     if CHROMIUM is None:
         pytest.skip("chromium is not installed")
     expect.set_options(timeout=PATIENCE_MS)
@@ -50,10 +51,17 @@ def scene(understudy: Understudy, tmp_path_factory: pytest.TempPathFactory) -> P
     return perform_scene(understudy, tmp_path_factory.mktemp("scene"))
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="package")
 def visited(browser: Browser, service_url: str) -> Iterator[Page]:
-    """A page for one visit after the other."""
-    with new_page(browser, service_url) as made:
+    """A page for the visits of single tests."""
+    with _new_page(browser, service_url) as made:
+        yield made
+
+
+@pytest.fixture(scope="package")
+def long_visited(browser: Browser, service_url: str) -> Iterator[Page]:
+    """A page for visits of several tests."""
+    with _new_page(browser, service_url) as made:
         yield made
 
 
@@ -64,20 +72,17 @@ def page(visited: Page, service_url: str) -> Iterator[Page]:
 
 
 @contextmanager
-def opened_page(
-    browser: Browser, service_url: str, size: ViewportSize | None = None, theme: Theme = "light"
-) -> Iterator[Page]:
+def opened_page(browser: Browser, service_url: str) -> Iterator[Page]:
     """A page for a single visit, which was not opened yet; raises AssertionError at the end where something went wrong
     in it."""
-    with new_page(browser, service_url, size, theme) as made, _watched(made, service_url):
+    with _new_page(browser, service_url) as made, _watched(made, service_url):
         yield made
 
 
 @contextmanager
 def a_visit(page: Page, service_url: str) -> Iterator[None]:
     """A visit to a page after which nothing is left of it; raises AssertionError as `opened_page` does. The browser
-    keeps the scripts that it has compiled: the next visit takes two seconds of processor time less."""
-    size = page.viewport_size
+    keeps the scripts that it has compiled: the next visit takes four seconds of processor time less."""
     with _watched(page, service_url):
         yield
         page.goto("/healthz")
@@ -86,18 +91,19 @@ def a_visit(page: Page, service_url: str) -> Iterator[None]:
     devtools.send("Storage.clearDataForOrigin", {"origin": service_url, "storageTypes": STORED})
     devtools.detach()
     page.mouse.move(0, 0)
-    if size is not None:
-        page.set_viewport_size(size)
+    look(page, SIZE, "light")
+
+
+def look(page: Page, size: ViewportSize, theme: Theme) -> None:
+    """How large the page is, and in which colours it is wanted."""
+    page.set_viewport_size(size)
+    page.emulate_media(color_scheme=theme)
 
 
 @contextmanager
-def new_page(
-    browser: Browser, service_url: str, size: ViewportSize | None = None, theme: Theme = "light"
-) -> Iterator[Page]:
+def _new_page(browser: Browser, service_url: str) -> Iterator[Page]:
     """A page of a browser that knows nothing yet."""
-    context = browser.new_context(
-        viewport=size or SIZE, color_scheme=theme, accept_downloads=True, base_url=service_url
-    )
+    context = browser.new_context(viewport=SIZE, color_scheme="light", accept_downloads=True, base_url=service_url)
     context.add_init_script("localStorage.setItem('understudy-advanced', 'yes')")
     made = context.new_page()
     made.set_default_timeout(PATIENCE_MS)
@@ -125,9 +131,9 @@ def _watched(page: Page, service_url: str) -> Iterator[None]:
 
 
 @pytest.fixture(scope="module")
-def looked_at(browser: Browser, service_url: str) -> Iterator[Page]:
-    with opened_page(browser, service_url) as made:
-        yield _with_example(made)
+def looked_at(long_visited: Page, service_url: str) -> Iterator[Page]:
+    with a_visit(long_visited, service_url):
+        yield _with_example(long_visited)
 
 
 @pytest.fixture

@@ -92,8 +92,9 @@ def _answers(copy: Path, steps: list[dict[str, object]]) -> list[str]:
 
 
 def _copy(folder: Path) -> Path:
+    """With what Python has compiled, which would take longer than a page."""
     for part in ("app", "lexicon", "src"):
-        shutil.copytree(ROOT / part, folder / part, symlinks=True, ignore=shutil.ignore_patterns("__pycache__"))
+        shutil.copytree(ROOT / part, folder / part, symlinks=True)
     for part in ("models", "examples"):
         (folder / part).symlink_to(ROOT / part)
     return folder

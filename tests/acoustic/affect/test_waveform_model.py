@@ -1,6 +1,7 @@
 """A user's own model in ONNX: which inputs and outputs are understood, and what is refused."""
 
 from collections.abc import Mapping, Sequence
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -8,11 +9,15 @@ import pytest
 
 from tests.support.onnx_files import constant_plus_mean
 from tests.support.words.measured import stretch_of
+from understudy.acoustic.affect.line_affect import Stretch
 from understudy.acoustic.affect.waveform_model import WaveformModel
 from understudy.errors import ServiceError
 from understudy.model import SAMPLE_RATE_HZ, Audio, Tone
 
-VOICE = stretch_of(Audio(np.random.default_rng(0).normal(0, 0.1, SAMPLE_RATE_HZ) * np.hanning(SAMPLE_RATE_HZ)))
+
+@cache
+def voice() -> Stretch:
+    return stretch_of(Audio(np.random.default_rng(0).normal(0, 0.1, SAMPLE_RATE_HZ) * np.hanning(SAMPLE_RATE_HZ)))
 
 
 def model_file(
@@ -29,7 +34,7 @@ def model_file(
 
 
 def told(path: Path) -> tuple[float, float, float]:
-    affect = WaveformModel.load(path).affect_of(VOICE)
+    affect = WaveformModel.load(path).affect_of(voice())
     assert sum(affect.tones) == pytest.approx(1)
     return affect.activation, affect.valence, affect.dominance
 
@@ -37,7 +42,7 @@ def told(path: Path) -> tuple[float, float, float]:
 def test_outputs_by_name(tmp_path: Path) -> None:
     path = model_file(tmp_path, {"valence": [-0.5], "arousal": [0.6], "dominance": [0.3]})
     assert told(path) == pytest.approx((0.6, -0.5, 0.3), abs=1e-4)
-    assert WaveformModel.load(path).affect_of(VOICE).tone is Tone.ANGRY
+    assert WaveformModel.load(path).affect_of(voice()).tone is Tone.ANGRY
 
 
 def test_dominance_may_be_missing(tmp_path: Path) -> None:
@@ -83,5 +88,5 @@ def test_another_kind_of_file_is_refused(tmp_path: Path) -> None:
 
 def test_too_few_numbers_are_told(tmp_path: Path) -> None:
     with pytest.raises(ServiceError) as raised:
-        WaveformModel.load(model_file(tmp_path, {"out": [0.5]})).affect_of(VOICE)
+        WaveformModel.load(model_file(tmp_path, {"out": [0.5]})).affect_of(voice())
     assert raised.value.code == "affect_model_failed"

@@ -1,11 +1,10 @@
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
+from tests.support.characters import CHARACTERS
 from tests.support.words.by_hand import FIGURE_8, movement, offered, spoken, utterance
 from understudy.behavior.characters.gesture_forms import FormedCharacters, with_forms
-from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.scheduling import schedule
 from understudy.errors import InputError
 from understudy.model import Channel, Hand, Level
@@ -14,7 +13,6 @@ from understudy.model.limits import ArmEnds, GestureForm, GestureTable
 ENDS = ArmEnds((0.0, 0.0, 0.0), (0.3, 0.0, 0.0), (0.3, 0.0, 0.0))
 SHORT, LONG = (GestureForm(0.3, after_s, 0.6, {Hand.RIGHT: ENDS}) for after_s in (0.1, 0.2))
 TABLE = GestureTable({("NEGATION", Level.LOW, hand): (SHORT, LONG) for hand in Hand})
-CHARACTERS = Characters.load(Path(__file__).resolve().parents[3] / "lexicon")
 LIVELY = replace(CHARACTERS.named("default"), gestures_per_minute=60)
 
 

@@ -1,18 +1,16 @@
 """The choice over the whole line: the order of choosing, and the effects on the random draw."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
+from tests.support.characters import DEFAULT
 from tests.support.operations import calls_of
 from tests.support.words.by_hand import function, movement, spoken
-from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.attempts import ChoiceContext
 from understudy.behavior.choice.choosing import EASILY_S, choose
 from understudy.model import Alternative, Behavior, BehaviorCandidates, Channel, Hand, Moment, Movement
 
-DEFAULT = Characters.load(Path(__file__).resolve().parents[3] / "lexicon").named("default")
 WORDS = spoken(" ".join(["word"] * 40))
 
 

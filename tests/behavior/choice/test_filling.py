@@ -1,11 +1,10 @@
 from dataclasses import replace
 from itertools import pairwise
-from pathlib import Path
 
 import pytest
 
+from tests.support.characters import DEFAULT
 from tests.support.words.by_hand import movement, spoken, utterance
-from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.filling import GAZE_RANGE_DEGREES, LOOK_DEGREES, LOOK_S, FillingContext, fillers, free
 from understudy.behavior.idle.idle_behaviors import TALKING
 from understudy.behavior.reading.player import Ban
@@ -13,7 +12,6 @@ from understudy.behavior.timing.anchoring import asked
 from understudy.model import Behavior, Channel, Interval
 from understudy.model.tables import GLANCE, LOOK
 
-DEFAULT = Characters.load(Path(__file__).resolve().parents[3] / "lexicon").named("default")
 WORDS = spoken(" ".join(["word"] * 60), start_s=0.0)
 NODS = tuple(
     asked(movement("big_nod", word), DEFAULT.entries["big_nod"], WORDS, f"nod{word}") for word in range(3, 60, 8)

@@ -1,13 +1,12 @@
 """Which hand makes what is asked for, with the library's gestures."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
+from tests.support.characters import CHARACTERS
 from tests.support.words.by_hand import movement, spoken
 from understudy.behavior.characters.gesture_forms import with_forms
-from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.hands import fitted_as_asked
 from understudy.behavior.timing.anchoring import asked
 from understudy.behavior.timing.conflicts import FittedBehavior
@@ -15,7 +14,6 @@ from understudy.behavior.timing.time_index import TimeIndex
 from understudy.model import Behavior, Hand, Level
 from understudy.models import load_gesture_table
 
-CHARACTERS = Characters.load(Path(__file__).resolve().parents[3] / "lexicon")
 DEFAULT = with_forms(CHARACTERS.named("default"), load_gesture_table(CHARACTERS.gesture_lexemes), Level.MEDIUM)
 
 

@@ -1,15 +1,13 @@
 import random
 from itertools import pairwise
-from pathlib import Path
 
 import pytest
 
+from tests.support.characters import DEFAULT
 from tests.support.words.by_hand import function, movement, offered, spoken, utterance
-from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.scheduling import BEAT, schedule
 from understudy.model import Behavior, BehaviorCandidates, Channel, Mode
 
-DEFAULT = Characters.load(Path(__file__).resolve().parents[3] / "lexicon").named("default")
 LINE = utterance(spoken(" ".join(["word"] * 60), stressed=(8, 9, 30)))
 
 

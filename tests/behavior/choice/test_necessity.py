@@ -5,16 +5,14 @@ import random
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
-from pathlib import Path
 
 import pytest
 
+from tests.support.characters import CHARACTERS
 from tests.support.words.by_hand import function, movement, offered, spoken, utterance
-from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.scheduling import schedule
 from understudy.model import Behavior, BehaviorCandidates, Channel
 
-CHARACTERS = Characters.load(Path(__file__).resolve().parents[3] / "lexicon")
 DEFAULT = CHARACTERS.named("default")
 WORDS = 90
 CLASSES = ("emphasis", "negation", "affirmation", "initial_noun_phrase", "performance", "deixis")

@@ -1,11 +1,11 @@
 from dataclasses import replace
 from itertools import combinations
-from pathlib import Path
 
 import pytest
 
+from tests.support.characters import CHARACTERS
 from tests.support.words.by_hand import FIGURE_8, movement, offered, spoken, utterance
-from understudy.behavior.characters.overlays import Character, Characters
+from understudy.behavior.characters.overlays import Character
 from understudy.behavior.choice.scheduling import ASKED_MORE, SHORTEST_HOLD_S, eased, schedule
 from understudy.behavior.table.behavior_table import PhaseDuration, Timing
 from understudy.behavior.timing.anchoring import PlacedBehavior, stressed_vowel_s
@@ -55,7 +55,6 @@ def test_a_hand_that_is_still_busy_keeps_a_gesture_of_both_where_it_is() -> None
     assert eased(busy) == busy
 
 
-CHARACTERS = Characters.load(Path(__file__).resolve().parents[3] / "lexicon")
 LIVELY = replace(CHARACTERS.named("default"), gestures_per_minute=60)
 
 

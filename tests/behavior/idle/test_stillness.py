@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support.characters import CHARACTERS
 from tests.support.words.by_hand import movement, offered, spoken, utterance
-from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.scheduling import schedule
 from understudy.behavior.idle.stillness import stilled, with_stillness
 from understudy.behavior.listeners.listening import HeadRates, Listener, listen
@@ -17,7 +17,6 @@ from understudy.model import Behavior, Channel, Listening, Performance, SyncPoin
 from understudy.option_table import PERFORMANCE
 
 LEXICON = Path(__file__).resolve().parents[3] / "lexicon"
-CHARACTERS = Characters.load(LEXICON)
 RATES = HeadRates.load(LEXICON / "acting" / "head_rates.yaml")
 LINE = utterance(spoken("We had it all. But you and I never said so, and now they go there again."), phrase_ends=(3, 9))
 NAMES = ("gesture_me", "gesture_negation", "shake", "tilt_left", "smile", "gesture_surround", "big_nod")

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from tests.support.characters import CHARACTERS
 from tests.support.words.by_hand import movement, offered, spoken, utterance
-from understudy.behavior.characters.overlays import Character, Characters
+from understudy.behavior.characters.overlays import Character
 from understudy.behavior.choice.scheduling import schedule
 from understudy.behavior.listeners.listening import (
     DISTANCE_M,
@@ -80,7 +81,6 @@ def test_looks_and_gestures_at_the_listener_go_to_whom_the_speaker_turned_to() -
 
 
 LEXICON = Path(__file__).resolve().parents[3] / "lexicon"
-CHARACTERS = Characters.load(LEXICON)
 RATES = HeadRates.load(LEXICON / "acting" / "head_rates.yaml")
 
 EAGER = HeadRates(nods_after_pause=1.0, nods_after_phrase=1.0, mirrored=1.0, delay_s=0.4, delay_spread_s=0.0)

@@ -6,9 +6,9 @@ import pytest
 from lxml import etree
 
 from tests.support.bml.bml_checker import check
+from tests.support.characters import CHARACTERS
 from tests.support.shared_data import SHARED, needs
 from tests.support.words.by_hand import FIGURE_8, spoken, utterance
-from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.table.behavior_table import STROKED
 from understudy.bml.markup.elements import CORE, CORE_EXTENSIONS
 from understudy.bml.writing.writer import write_bml
@@ -17,7 +17,6 @@ from understudy.model.formats import BmlForm
 from understudy.model.tables import GAZE_LEXEMES
 
 ROOT = Path(__file__).resolve().parents[3]
-CHARACTERS = Characters.load(ROOT / "lexicon")
 SCHEMA = SHARED / "data" / "bml" / "bml-1.0.xsd"
 
 STROKE = SyncPoints(start=0.1, ready=0.25, stroke_start=0.3, stroke=0.4, stroke_end=0.5, relax=0.75, end=1.0)

@@ -1,17 +1,16 @@
 """The table of gestures says what the realizer will do, so that what is scheduled with it is played."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from tests.support.characters import CHARACTERS
 from tests.support.examples import examples
 from tests.support.motion.gesture_clips import MARKERS, clip, gesture, library
 from tests.support.words.by_hand import FIGURE_8, movement, offered, spoken, utterance
 from understudy.behavior.characters.gesture_forms import with_forms
-from understudy.behavior.characters.overlays import Characters
 from understudy.behavior.choice.scheduling import schedule
 from understudy.behavior.idle.stillness import stilled
 from understudy.model import Channel, Hand, Level, Schedule
@@ -22,7 +21,6 @@ from understudy.realizer.scheduling.planning import plan_gestures
 from understudy.realizer.scheduling.selection import clips_of, place_clip, requests_of
 from understudy.realizer.scheduling.transitions import stroke_speed_m_s, way_m
 
-CHARACTERS = Characters.load(Path(__file__).resolve().parents[3] / "lexicon")
 TABLE = load_gesture_table(CHARACTERS.gesture_lexemes)
 LIBRARY = load_gestures()
 GESTURES = sorted(

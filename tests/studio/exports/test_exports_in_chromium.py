@@ -123,7 +123,7 @@ def test_stills_are_a_picture_of_the_strokes(looked_at: Page) -> None:
 def test_a_film_has_each_frame_and_the_sound_and_frames_are_as_many(opened: Page, tmp_path: Path) -> None:
     samples, rate_hz = soundfile.read(AUDIO)
     short = tmp_path / "short.wav"
-    soundfile.write(short, samples[: int(0.6 * rate_hz)], rate_hz)
+    soundfile.write(short, samples[: int(0.45 * rate_hz)], rate_hz)
     opened.goto("/")
     opened.set_input_files("#files", str(short))
     opened.fill("#text", "No.")

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Page
 
-from tests.studio.conftest import opened_page
+from tests.studio.conftest import a_visit
 from tests.studio.support.accessibility import serious_findings
 from tests.studio.support.waiting import PATIENCE_S, wait_until
 
@@ -23,10 +23,10 @@ def room(page: Page) -> Page:
 
 
 @pytest.fixture(scope="module")
-def empty_room(browser: Browser, service_url: str) -> Iterator[Page]:
+def empty_room(long_visited: Page, service_url: str) -> Iterator[Page]:
     """One visit for all that opens no scene, and the last that does."""
-    with opened_page(browser, service_url) as page:
-        yield _entered(page)
+    with a_visit(long_visited, service_url):
+        yield _entered(long_visited)
 
 
 def _entered(page: Page) -> Page:
