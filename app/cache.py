@@ -22,7 +22,7 @@ import pickle
 import stat
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Hashable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, fields, is_dataclass
 from functools import cache
@@ -245,11 +245,15 @@ def _as_read_only(content: Any) -> tuple[Callable[..., object], tuple[object, ..
 
 
 @cache
-def _names_if_frozen(kind: type) -> tuple[str, ...] | None:
+def _names_if_frozen(kind: Hashable) -> tuple[str, ...] | None:
     """The fields of a frozen dataclass; None of any other class."""
-    if not is_dataclass(kind) or not kind.__dataclass_params__.frozen:  # type: ignore[attr-defined]
+    if not isinstance(kind, type) or not is_dataclass(kind) or not _is_frozen(kind):
         return None
     return tuple(part.name for part in fields(kind))
+
+
+def _is_frozen(kind: Any) -> bool:  # noqa: ANN401  # typeshed does not know the attribute
+    return bool(kind.__dataclass_params__.frozen)
 
 
 class _Pickler(pickle.Pickler):
@@ -259,10 +263,11 @@ class _Pickler(pickle.Pickler):
     dispatch_table = MappingProxyType({MappingProxyType: _as_read_only})
 
     def reducer_override(self, value: object) -> Any:  # noqa: ANN401  # what pickle asks for
-        names = _names_if_frozen(type(value))
+        kind: Any = type(value)
+        names = _names_if_frozen(kind)
         if names is None:
             return NotImplemented
-        return type(value), tuple([getattr(value, name) for name in names])
+        return kind, tuple([getattr(value, name) for name in names])
 
 
 class _Unpickler(pickle.Unpickler):
