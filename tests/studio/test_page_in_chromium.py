@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from playwright.sync_api import Page
+from playwright.sync_api import Page, expect
 
 from tests.studio.support.accessibility import serious_findings
 
@@ -30,11 +30,12 @@ def test_a_wrong_file_shows_the_services_own_words(opened: Page, tmp_path: Path)
     opened.wait_for_selector("#stage-canvas[data-roles='speaker']")
 
 
-def test_a_body_that_is_none_is_told(looked_at: Page, tmp_path: Path) -> None:
+def test_a_body_that_is_none_is_told_and_ours_stays(looked_at: Page, tmp_path: Path) -> None:
     wrong = tmp_path / "body.glb"
     wrong.write_bytes(b"no body")
     looked_at.set_input_files("#files", str(wrong))
-    looked_at.wait_for_selector("#problem:has-text('body.glb is not a body in GLB or VRM')")
+    looked_at.wait_for_selector("#problem:has-text('body.glb is not a body in GLB or VRM: it does not begin with “glTF”')")
+    expect(looked_at.locator("#project button:has-text('Use the default body')")).to_be_hidden()
 
 
 def test_a_zip_that_is_no_project_is_told(page: Page, tmp_path: Path) -> None:

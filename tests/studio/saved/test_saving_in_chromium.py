@@ -25,6 +25,16 @@ def test_a_change_outlives_a_reload_and_is_found_on_the_start_page(opened: Page)
     expect(opened.locator("#undo")).to_have_attribute("title", re.compile("^Undo: Restore"))
 
 
+def test_a_written_line_outlives_a_reload_before_anything_is_changed(page: Page) -> None:
+    page.goto("/")
+    expect(page.locator("#saved")).to_be_disabled()
+    page.fill("#written", "No, never.")
+    page.click("#perform-written")
+    expect(page.locator("#saved")).to_have_text("Saved")
+    page.reload()
+    expect(page.locator("#text")).to_have_value("No, never.")
+
+
 def test_lines_that_were_worked_on_are_opened_from_the_start_page(opened: Page) -> None:
     """As they were left: what was undone is not there again."""
     opened.fill("#seed", "7")

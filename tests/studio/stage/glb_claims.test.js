@@ -16,7 +16,11 @@ function glb(document) {
 
 test("a body as bodies are is let through", () => {
   checkClaims(glb({ accessors: [{ count: 40_000 }], nodes: [{ children: [1, 2] }, { children: [3] }, {}, {}] }));
-  checkClaims(new ArrayBuffer(4));
+});
+
+test("what is no binary glTF, or only its beginning, is refused with what would be right", () => {
+  assert.throws(() => checkClaims(new ArrayBuffer(4)), /does not begin with “glTF”.*save the body anew as \.glb or \.vrm/);
+  assert.throws(() => checkClaims(glb({ nodes: [] }).slice(0, 24)), /ends after 24 bytes/);
 });
 
 test("accessors that claim everything are refused", () => {

@@ -104,6 +104,10 @@ def angrier(desk: Desk) -> None:
     page.get_by_label("Agitation").first.select_option("high")
     performed(page)
     expect(page.locator("#agitation option:checked")).to_have_text("Agitated")
+    page.focus("#stage-canvas")
+    for _half_second in range(2):
+        page.keyboard.press("Shift+ArrowRight")
+    wait_until(page, f"{PLAYED_S} === 1")
     desk.look("angry")
 
 

@@ -46,7 +46,7 @@ def test_two_characters_speak_in_turn_on_their_marks(room: Page, scene: Path) ->
     wait_until(room, "document.querySelector('#scene-time').value.startsWith('7.6')")
     assert room.get_attribute("[aria-current=true]", "aria-current")
     assert room.get_attribute("#table-read-canvas", "data-shot") == "close HENRY"
-    room.click("#scene-play")
+    room.click("[aria-label='Play from two on']")
     furthest_m, end_s = 0.0, time.monotonic() + PATIENCE_S
     while _time_s(room) < LINE_S + PAUSE_S + 3:
         assert time.monotonic() < end_s, "the scene stands still"

@@ -8,7 +8,7 @@ import { anotherTake, keepTake, nextName, nextSeed, takeOf, TAKES, useTake } fro
 /** A store in which a line is open. */
 function opened() {
   const store = new Store();
-  store.set(OPENED, { id: "line", project: EMPTY, takes: [] });
+  store.set(OPENED, { id: "line", kept: { project: EMPTY, takes: [] } });
   return store;
 }
 

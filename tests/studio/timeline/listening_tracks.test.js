@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { feelingItems, focusItems, strongest } from "../../../app/studio/page/timeline/listening_tracks.js";
+import { feelingItems, focusItems } from "../../../app/studio/page/timeline/listening_tracks.js";
 import { performance } from "../support/performances.js";
 
 const TONES = { neutral: 0.2, happy: 0, sad: 0.7, angry: 0.1, afraid: 0, disgusted: 0, surprised: 0 };
@@ -13,7 +13,6 @@ test("each phrase has the tone that its voice has most of", () => {
   assert.deepEqual([item?.label, item?.start_s, item?.end_s], ["Sad", 0, 1]);
   assert.match(item?.technical ?? "", /valence -0.50/);
   assert.deepEqual(feelingItems(performance()), []);
-  assert.deepEqual(strongest({}), ["neutral", 1]);
 });
 
 test("the focus is on words by their share of the largest; hardly any is none", () => {

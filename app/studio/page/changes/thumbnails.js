@@ -29,13 +29,16 @@ const FINGERS = /thumb|index|middle|ring|little|pinky/i;
 export function thumbnail(clips, lexeme) {
   const canvas = el("canvas", { width: SIZE_PX, height: SIZE_PX, "aria-hidden": "true", "data-lexeme": lexeme });
   requestAnimationFrame(() => canvas.dataset["played"] === undefined && drawStanding(canvas));
-  const seen = new IntersectionObserver(([entry]) => {
-    if (entry?.isIntersecting) {
-      seen.disconnect();
-      clips.of(lexeme, () => canvas.isConnected).then((clip) => play(canvas, clip), () => canvas.classList.add("unplayed"));
+  let isSeen = false;
+  let isAsked = false;
+  const watching = new IntersectionObserver(([entry]) => {
+    isSeen = entry?.isIntersecting ?? false;
+    if (isSeen && !isAsked) {
+      isAsked = true;
+      clips.of(lexeme, () => canvas.isConnected).then((clip) => play(canvas, clip, () => isSeen), () => canvas.classList.add("unplayed"));
     }
   });
-  seen.observe(canvas);
+  watching.observe(canvas);
   return canvas;
 }
 
@@ -62,17 +65,23 @@ function drawStanding(canvas) {
 /**
  * @param {HTMLCanvasElement} canvas
  * @param {Clip} clip
+ * @param {() => boolean} isSeen
  */
-function play(canvas, clip) {
+function play(canvas, clip, isSeen) {
   const stroke_s = clip.events.find(({ point }) => point === "stroke")?.timeS ?? clip.durationS / 2;
   canvas.dataset["played"] = "";
   if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
     draw(canvas, clip, stroke_s);
     return;
   }
+  let drawn = -1;
   const frame = (/** @type {number} */ now_ms) => {
+    const next = Math.floor((now_ms / 1000) * FRAMES_PER_SECOND);
+    if (next !== drawn && isSeen()) {
+      drawn = next;
+      draw(canvas, clip, (next / FRAMES_PER_SECOND) % clip.durationS);
+    }
     if (canvas.isConnected) {
-      draw(canvas, clip, (Math.floor((now_ms / 1000) * FRAMES_PER_SECOND) / FRAMES_PER_SECOND) % clip.durationS);
       requestAnimationFrame(frame);
     }
   };

@@ -10,9 +10,11 @@ import { redraw } from "../redrawing.js";
 /** @import { Store } from "../state/store.js" */
 /** @import { Wrist } from "./possible.js" */
 
-const LAYERS = /** @type {const} */ ([["Away", 1], ["", 0], ["Towards", -1]]);
+const LAYERS = /** @type {const} */ ([["Away", 1, "⊗"], ["Level", 0, "·"], ["Towards", -1, "⊙"]]);
 const HEIGHTS = [1, 0, -1];
 const IN_LINE = "as the forearm";
+/** What stands on the directions of a layer, from the upper left on; its middle is in LAYERS. */
+const ARROWS = Object.freeze(["↖", "↑", "↗", "←", "", "→", "↙", "↓", "↘"]);
 
 /** @param {Store} store */
 export function compass(store) {
@@ -53,10 +55,13 @@ function parts(store, language) {
 function half(store, language, wrist, { key, other, title }) {
   const possible = partnersOf(language, wrist?.[other]);
   const chosen = wrist ? orientationOf(language, wrist[key]) : null;
-  const layers = LAYERS.map(([name, away]) => {
+  const layers = LAYERS.map(([name, away, middle]) => {
     const cells = cellsOf(language, store.get(ARM) === "leading" ? -1 : 1, away);
-    const buttons = cells.map((index) => direction(store, language, { index, key, title }, { isChosen: index === chosen, isPossible: possible.has(index) }));
-    return el("div", { class: "layer", role: "group", "aria-label": name || "level" }, [el("span", {}, [name || "Level"]), ...buttons]);
+    const buttons = cells.map((index, at) => {
+      const sign = ARROWS[at] || middle;
+      return direction(store, language, { index, key, title, sign }, { isChosen: index === chosen, isPossible: possible.has(index) });
+    });
+    return el("div", { class: "layer", role: "group", "aria-label": name }, [el("span", {}, [name]), ...buttons]);
   });
   return el("div", { class: "compass", role: "group", "aria-label": title }, [el("span", {}, [title]), ...layers]);
 }
@@ -77,10 +82,10 @@ function cellsOf({ orientations }, outwards, away) {
 /**
  * @param {Store} store
  * @param {GestureLanguage} language
- * @param {{ index: number, key: "finger_base" | "palm", title: string }} which
+ * @param {{ index: number, key: "finger_base" | "palm", title: string, sign: string }} which
  * @param {{ isChosen: boolean, isPossible: boolean }} state
  */
-function direction(store, language, { index, key, title }, { isChosen, isPossible }) {
+function direction(store, language, { index, key, title, sign }, { isChosen, isPossible }) {
   const directions = language.orientations[index]?.directions ?? [];
   const name = directions.join(" ") || IN_LINE;
   return el("button", {
@@ -92,7 +97,7 @@ function direction(store, language, { index, key, title }, { isChosen, isPossibl
     title: isPossible ? name : `${name}: not at a right angle`,
     disabled: !isPossible,
     click: () => put(store, { [key]: directions }),
-  });
+  }, [sign]);
 }
 
 /**

@@ -1,6 +1,7 @@
 /** How the path runs through a frame (tension, continuity, bias), the collarbone, and whether it varies each time. */
 
 import { el, labelled } from "../dom.js";
+import { plain } from "../naming/movements.js";
 import { withArm, withFrame } from "./frames.js";
 import { ARM, changeGesture, EDITED, FRAME, gestureOf } from "./gestures.js";
 import { redraw } from "../redrawing.js";
@@ -29,7 +30,7 @@ function parts(store) {
       changeGesture(store, `The ${curve} of a frame`, (gesture) => withFrame(gesture, index, { [curve]: value })),
     ),
   );
-  const shoulder = number("shoulder", frame?.[name]?.shoulder ?? null, (value) =>
+  const shoulder = number("collarbone", frame?.[name]?.shoulder ?? null, (value) =>
     changeGesture(store, "The collarbone", (gesture) => withArm(gesture, index, name, { shoulder: value ?? undefined })),
   );
   const noise = el("input", { type: "checkbox", id: "noise", checked: frame?.noise ?? false });
@@ -47,9 +48,9 @@ function parts(store) {
  * @param {(value: number | null) => void} chosen
  */
 function number(label, value, chosen) {
-  const typed = el("input", { type: "number", min: -1, max: 1, step: 0.1, value: value ?? "", placeholder: "open", id: `curve-${label}` });
+  const typed = el("input", { type: "number", min: -1, max: 1, step: 0.1, value: value ?? "", placeholder: "Free", id: `curve-${label}` });
   typed.addEventListener("change", () => {
     chosen(typed.value === "" ? null : Math.min(Math.max(Number(typed.value), -1), 1));
   });
-  return labelled(label, typed);
+  return labelled(plain(label), typed);
 }

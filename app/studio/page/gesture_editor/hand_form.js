@@ -37,7 +37,7 @@ export function handForm(store) {
  */
 function shape(store, language, { hand }) {
   const put = (/** @type {Hand | null | undefined} */ made) => change(store, "Form of the hand", { hand: made ? possibleHand(language, made) : undefined });
-  const forms = /** @type {[string, string][]} */ ([[OPEN, "open"], ...language.forms.map(({ name }) => [name, readable(name)])]);
+  const forms = /** @type {[string, string][]} */ ([[OPEN, "Left free"], ...language.forms.map(({ name }) => [name, readable(name)])]);
   const form = choice(forms, hand?.form ?? OPEN, (name) =>
     put(name === OPEN ? undefined : /** @type {Hand} */ ({ thumb: "default", ...hand, form: name })),
   );
@@ -48,7 +48,7 @@ function shape(store, language, { hand }) {
   );
   thumb.id = "hand-thumb";
   thumb.disabled = free.length < 2;
-  return el("div", { class: "row" }, [labelled("Form", form), labelled("Thumb", thumb)]);
+  return el("div", { class: "row" }, [labelled("Form", form), labelled("Thumb’s place", thumb)]);
 }
 
 /**
@@ -82,5 +82,5 @@ function change(store, label, parts) {
 
 /** @param {string} name */
 function readable(name) {
-  return name.replace(/^(form|symbol|bend)_/, "").replaceAll("_", " ");
+  return plain(name.replace(/^(form|symbol|bend)_/, ""));
 }

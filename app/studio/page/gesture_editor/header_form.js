@@ -1,6 +1,7 @@
 /** What holds for the whole gesture: its name, what it shows, how long it takes, whose arms, at which agitation. */
 
 import { choice, el, labelled } from "../dom.js";
+import { AGITATION, plain } from "../naming/movements.js";
 import { EITHER, withArms } from "./arms.js";
 import { ARM, changeGesture, EDITED, FRAME, gestureOf, LANGUAGE } from "./gestures.js";
 import { redraw } from "../redrawing.js";
@@ -9,7 +10,6 @@ import { redraw } from "../redrawing.js";
 /** @import { Store } from "../state/store.js" */
 /** @import { Edited } from "./gestures.js" */
 
-const LEVELS = /** @type {const} */ (["low", "medium", "high"]);
 const FACTORS = /** @type {const} */ (["amplitude", "tempo", "fluidity", "power", "repetition"]);
 
 /** @param {Store} store */
@@ -91,15 +91,15 @@ function arms(store, gesture) {
  * @param {boolean} isOpen
  */
 function levels(store, gesture, isOpen) {
-  const rows = LEVELS.map((level) => {
+  const rows = AGITATION.map(([level, called]) => {
     const values = gesture.levels[level];
-    const fits = el("input", { type: "checkbox", checked: Boolean(values), "aria-label": `suits ${level} agitation` });
+    const fits = el("input", { type: "checkbox", checked: Boolean(values), "aria-label": `Suits ${called.toLowerCase()} lines` });
     fits.disabled = Boolean(values) && Object.keys(gesture.levels).length === 1;
     fits.addEventListener("change", () => put(store, "Agitation", { levels: withLevel(gesture.levels, level, fits.checked) }));
     const factors = FACTORS.map((factor) => el("td", {}, [values ? factorInput(store, gesture, level, factor) : ""]));
-    return el("tr", {}, [el("td", {}, [fits]), el("th", { scope: "row" }, [level]), ...factors]);
+    return el("tr", {}, [el("td", {}, [fits]), el("th", { scope: "row" }, [called]), ...factors]);
   });
-  const head = el("tr", {}, ["suits", "agitation", ...FACTORS].map((name) => el("th", { scope: "col" }, [name])));
+  const head = el("tr", {}, ["suits", "agitation", ...FACTORS].map((name) => el("th", { scope: "col" }, [plain(name)])));
   return el("details", { open: isOpen }, [el("summary", {}, ["Agitation and expressivity"]), el("table", {}, [head, ...rows])]);
 }
 

@@ -2,6 +2,7 @@
 
 import { choice, el, labelled } from "../dom.js";
 import { canBeWithout, withFrameBehind, withoutFrame, withTime, withType } from "./frames.js";
+import { plain } from "../naming/movements.js";
 import { changeGesture, EDITED, FRAME, gestureOf, LANGUAGE } from "./gestures.js";
 import { roomBehind, timesAt, typesAt } from "./possible.js";
 import { redraw } from "../redrawing.js";
@@ -44,7 +45,7 @@ function handle(store, line, frame, index) {
     type: "button",
     role: "slider",
     class: "key-time",
-    "aria-label": `Frame ${String(index + 1)}, ${frame.type}`,
+    "aria-label": `Frame ${String(index + 1)}, ${plain(frame.type).toLowerCase()}`,
     "aria-valuemin": least,
     "aria-valuemax": most,
     "aria-valuenow": frame.time,
@@ -54,7 +55,7 @@ function handle(store, line, frame, index) {
     pointerdown: (/** @type {PointerEvent} */ event) => drag(store, line, index, event),
   });
   made.style.left = `${String(frame.time * 100)}%`;
-  made.append(el("span", {}, [frame.type.replaceAll("_", " ")]));
+  made.append(el("span", {}, [plain(frame.type)]));
   return made;
 }
 
@@ -99,7 +100,7 @@ function frameControls(store) {
     return [];
   }
   const types = typesAt(language, frames, index);
-  const type = choice(types.map((name) => [name, name.replaceAll("_", " ")]), frame.type, (chosen) =>
+  const type = choice(types.map((name) => [name, plain(name)]), frame.type, (chosen) =>
     changeGesture(store, "Type of a frame", (gesture) => withType(language, gesture, index, chosen)),
   );
   type.id = "frame-type";

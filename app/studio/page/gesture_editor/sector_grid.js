@@ -6,7 +6,7 @@ import { withArm } from "./frames.js";
 import { ARM, changeGesture, EDITED, FRAME, gestureOf, LANGUAGE } from "./gestures.js";
 import { isWithinReach } from "./possible.js";
 import { redraw } from "../redrawing.js";
-import { columns, rows } from "./sector_places.js";
+import { columns, rows, sectorName } from "./sector_places.js";
 
 /** @import { GestureLanguage } from "understudy-client" */
 /** @import { Store } from "../state/store.js" */
@@ -78,13 +78,14 @@ function grid(store, language, place) {
  */
 function sector(store, language, there, isHere) {
   const name = `${there.x} ${there.y}`;
+  const title = `${sectorName(there)} (${name})`;
   return el("button", {
     type: "button",
     class: "sector",
     "data-sector": name,
-    "aria-label": name,
+    "aria-label": sectorName(there),
     "aria-pressed": String(isHere),
-    title: isWithinReach(language, there) ? name : `${name}: out of the arm's reach`,
+    title: isWithinReach(language, there) ? title : `${title}: out of the arm's reach`,
     disabled: !isHere && !isWithinReach(language, there),
     click: () => put(store, there),
   });

@@ -4,6 +4,21 @@
 
 /** A stretch of the picture, shares of it from its left or top. @typedef {Readonly<{ name: string, from: number, to: number }>} Stretch */
 
+/** @type {Readonly<Record<string, string>>} */
+const NAMES = Object.freeze({
+  XEP: "farthest out", XP: "far out", XC: "out", XCC: "in the middle", XOppC: "across", XOppP: "far across", XOppEP: "farthest across",
+  YUpperEP: "Highest", YUpperP: "High", YUpperC: "Rather high", YCC: "At the centre", YLowerC: "Rather low", YLowerP: "Low", YLowerEP: "Lowest",
+});
+
+/**
+ * What people call a sector.
+ *
+ * @param {Readonly<{ x: string, y: string }>} place
+ */
+export function sectorName({ x, y }) {
+  return `${NAMES[y] ?? y}, ${NAMES[x] ?? x}`;
+}
+
 /**
  * The columns of the picture, the outermost sector of the hand's own side first for the right hand, last for the left.
  *

@@ -18,7 +18,7 @@ import { askWhereToSave, download, IS_WRITABLE, save, SAVED } from "./saving.js"
 export function tools(store, service) {
   const read = async (/** @type {File[]} */ [file]) => file && takeText(store, service, { text: await file.text() });
   const open = fileButton("Open…", { id: "gesture-file", accept: ".gesture,.txt" }, (files) => void read(files));
-  const library = el("input", { id: "gesture-library", list: "gesture-names", autocomplete: "off", placeholder: "name" });
+  const library = el("input", { id: "gesture-library", list: "gesture-names", autocomplete: "off", placeholder: "Name of a gesture" });
   const names = el("datalist", { id: "gesture-names" });
   library.addEventListener("focus", () => void fill(store, service, names), { once: true });
   library.addEventListener("change", () => {

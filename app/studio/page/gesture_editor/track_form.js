@@ -1,6 +1,7 @@
 /** The offset tracks of the whole gesture: what is added to a joint as the gesture goes. */
 
 import { choice, el, labelled } from "../dom.js";
+import { plain } from "../naming/movements.js";
 import { redraw } from "../redrawing.js";
 import { changeGesture, EDITED, gestureOf, LANGUAGE } from "./gestures.js";
 import { tracksOf, withoutTrack, withTrack, withTrackAdded } from "./tracks.js";
@@ -56,8 +57,8 @@ function trackRow(store, language, track, index) {
     number(`${axis}, °`, "track_degrees", degrees[at] ?? 0, (angle) => change({ degrees: /** @type {[number, number, number]} */ (degrees.with(at, angle)) })),
   );
   const circling = [
-    number("turns", "track_turns", turns, (value) => change({ turns: value })),
-    number("from, °", "track_phase_deg", phase_deg, (value) => change({ phase_deg: value })),
+    number("Turns", "track_turns", turns, (value) => change({ turns: value })),
+    number("From, °", "track_phase_deg", phase_deg, (value) => change({ phase_deg: value })),
   ];
   const remove = () => changeGesture(store, `Remove ${name}`, (gesture) => withoutTrack(gesture, index));
   return el("div", { class: "row track", role: "group", "aria-label": name }, [
@@ -77,7 +78,7 @@ function trackRow(store, language, track, index) {
  * @param {(word: Word) => void} chosen
  */
 function word(label, words, value, chosen) {
-  const select = choice(words.map((each) => [each, each]), value, (each) => chosen(/** @type {Word} */ (each)));
+  const select = choice(words.map((each) => [each, plain(each)]), value, (each) => chosen(/** @type {Word} */ (each)));
   select.setAttribute("aria-label", label);
   return select;
 }

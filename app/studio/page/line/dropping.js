@@ -66,7 +66,7 @@ function takeLine(store, audio, words) {
 async function openProject(store, file) {
   try {
     const { project, takes } = await openedProject(file);
-    open(store, project, takes);
+    open(store, project, { takes });
   } catch (error) {
     store.set(PROBLEM, problemOf(error));
   }

@@ -14,14 +14,14 @@ import { TAKES } from "../takes/takes.js";
 /** @import { Take } from "../takes/takes.js" */
 
 /**
- * Begins with a line that nobody changed yet.
+ * Begins with a line. It is kept at once, unless it is found again as it is: then with its first change.
  *
  * @param {Store} store
  * @param {Partial<Project>} line
- * @param {readonly Take[]} [takes]
- * @param {string} [id] by which it is kept, if it was kept before
+ * @param {{ takes?: readonly Take[], id?: string, isFound?: boolean }} [known] its takes; by what it is kept, if it was
+ *   before; whether it is found again as it is
  */
-export function open(store, line, takes = [], id = newId()) {
+export function open(store, line, { takes = [], id = newId(), isFound = false } = {}) {
   const project = { ...EMPTY, ...line };
   store.set(SELECTION, null);
   store.set(PERFORMED, null);
@@ -29,7 +29,7 @@ export function open(store, line, takes = [], id = newId()) {
   store.set(PROBLEM, null);
   store.history.clear();
   store.set(STARTING, false);
-  store.set(OPENED, { id, project, takes });
+  store.set(OPENED, { id, kept: isFound ? { project, takes } : null });
   store.set(TAKES, takes);
   store.set(PROJECT, project);
 }
@@ -41,7 +41,7 @@ export function open(store, line, takes = [], id = newId()) {
  * @param {KeptProject} project
  */
 export function openKept(store, { id, audio, draft, takes }) {
-  open(store, { ...draft, audio }, takes, id);
+  open(store, { ...draft, audio }, { takes, id, isFound: true });
 }
 
 /** Also where the page is not from a secure place, in which browsers make none by themselves. */
@@ -98,7 +98,7 @@ async function openedLine(service) {
  */
 async function openWith(store, found) {
   try {
-    open(store, await found());
+    open(store, await found(), { isFound: true });
   } catch (error) {
     store.set(PROBLEM, problemOf(error));
   }

@@ -2,6 +2,7 @@
 
 import { choice, el, foldable, labelled } from "../dom.js";
 import { AGITATION, plain } from "../naming/movements.js";
+import { strongest } from "../naming/tones.js";
 import { problemOf } from "../service/service.js";
 import { ChangeProject } from "../state/change_project.js";
 import { AVATAR, PERFORMED, PROBLEM } from "../state/performed.js";
@@ -10,7 +11,7 @@ import { CHARACTERS } from "../stage/viewing.js";
 import { lineState } from "./line_state.js";
 import { STARTING } from "./starting.js";
 
-/** @import { PerformOptions } from "understudy-client" */
+/** @import { Performance, PerformOptions } from "understudy-client" */
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
 
@@ -20,6 +21,8 @@ const EXAMPLE_PROFILES = ["sparing", "sweeping"];
 const AS_HEARD = "As heard";
 const TONES = /** @type {const} */ (["neutral", "happy", "sad", "angry", "afraid", "disgusted", "surprised"]);
 const CHOICES = /** @type {const} */ ([["", "Default"], ["terms", "All evidence"], ["priority", "Priority only"]]);
+/** What fields are called whose option has another name. @type {Readonly<Partial<Record<keyof PerformOptions, string>>>} */
+const CALLED = Object.freeze({ affect: "Feeling", mode: "Gestures from" });
 const MODES = /** @type {const} */ ([["semantic", "Meaning"], ["prosody", "Stress"], ["random", "Chance"]]);
 
 /**
@@ -59,7 +62,7 @@ function words(store) {
  * @param {Service} service
  */
 function options(store, service) {
-  const character = choice([["default", "default"]], "default", (value) => setOption(store, "character", value));
+  const character = choice([["default", plain("default")]], "default", (value) => setOption(store, "character", value));
   void fillCharacters(character, store, service);
   const seed = el("input", { type: "number", step: 1, value: 0, id: "seed" });
   seed.addEventListener("change", () => setOption(store, "seed", Number(seed.value)));
@@ -109,7 +112,8 @@ function chosenOptions(store) {
   const agitation = of([["", AS_HEARD], ...AGITATION], "agitation");
   [affect.id, agitation.id] = ["feeling", "agitation"];
   agitation.title = "How excited the voice is: a calm one moves little, an agitated one often, wide and fast";
-  tellWhatIsHeard(store, agitation);
+  tellWhatIsHeard(store, "agitation", { field: agitation, heard: (performance) => levelName(performance.agitation) });
+  tellWhatIsHeard(store, "affect", { field: affect, heard: heardFeeling });
   return { agitation, affect, choice: of(CHOICES, "choice"), mode: of(MODES, "mode") };
 }
 
@@ -117,17 +121,32 @@ function chosenOptions(store) {
  * Where nothing else is chosen, the field says what was heard.
  *
  * @param {Store} store
- * @param {HTMLSelectElement} agitation
+ * @param {"agitation" | "affect"} name
+ * @param {{ field: HTMLSelectElement, heard: (performance: Performance) => string | undefined }} told
  */
-function tellWhatIsHeard(store, agitation) {
+function tellWhatIsHeard(store, name, { field, heard }) {
   store.watch(PERFORMED, (line) => {
-    const isHeard = !store.get(PROJECT).options.agitation;
-    const heard = isHeard && AGITATION.find(([level]) => level === line?.performance.agitation)?.[1].toLowerCase();
-    const [first] = agitation.options;
+    const said = line && !store.get(PROJECT).options[name] ? heard(line.performance) : undefined;
+    const [first] = field.options;
     if (first) {
-      first.text = heard ? `Heard: ${heard}` : AS_HEARD;
+      first.text = said ? `Heard: ${said.toLowerCase()}` : AS_HEARD;
     }
   });
+}
+
+/** @param {string} level */
+function levelName(level) {
+  return AGITATION.find(([name]) => name === level)?.[1];
+}
+
+/**
+ * The feeling of all phrases; of one line they may be several.
+ *
+ * @param {Performance} performance
+ */
+function heardFeeling({ affect }) {
+  const tones = new Set(affect?.phrases.map((phrase) => strongest(phrase.tones)[0]));
+  return tones.size > 1 ? "several" : [...tones][0];
 }
 
 /**
@@ -153,7 +172,7 @@ async function fillCharacters(select, store, service) {
   try {
     const { characters } = await service.client.listCharacters();
     store.set(CHARACTERS, characters.map(({ name }) => name));
-    select.replaceChildren(...characters.map(({ name }) => el("option", { value: name }, [name])));
+    select.replaceChildren(...characters.map(({ name }) => el("option", { value: name }, [plain(name)])));
     select.value = store.get(PROJECT).options.character ?? "default";
   } catch (error) {
     store.set(PROBLEM, problemOf(error));
@@ -167,5 +186,5 @@ async function fillCharacters(select, store, service) {
  */
 function setOption(store, name, value) {
   const changed = { options: { ...store.get(PROJECT).options, [name]: value } };
-  store.history.execute(new ChangeProject(store, name, changed));
+  store.history.execute(new ChangeProject(store, CALLED[name] ?? plain(name), changed));
 }

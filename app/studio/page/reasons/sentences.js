@@ -1,7 +1,7 @@
 /** Says in a sentence what something on the timeline is, and why it is there. Pure; the numbers are telling.js's. */
 
 import { familyName, functionName } from "../naming/meanings.js";
-import { strongest } from "../timeline/listening_tracks.js";
+import { strongest } from "../naming/tones.js";
 import { channelName, handName, movementName, plain, plainText } from "../naming/movements.js";
 
 /** @import { Behavior, Performance } from "understudy-client" */

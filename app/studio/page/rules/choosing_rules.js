@@ -43,6 +43,9 @@ function groupOf({ kind, class: of, file }) {
   if (kind === "file") {
     return file.endsWith("/weights.yaml") ? "weights" : (file.split("/").at(-2) ?? file);
   }
+  if (of?.includes("|")) {
+    return "several meanings";
+  }
   const found = of && !of.includes("$") ? functionName({ class: of }) : fileName(file);
   return found.replace(/^(an?|the) /, "");
 }

@@ -1,6 +1,7 @@
 /** What a rule is, rests on and leads to; and what edited rules change in the example lines. */
 
 import { el } from "../dom.js";
+import { plain } from "../naming/movements.js";
 import { CHOSEN, COMPARED, EXPLAINED } from "./rule_book.js";
 import { toldChanges } from "./telling_changes.js";
 
@@ -30,7 +31,7 @@ export function ruleDetails(store) {
 function explanations(store, { items }) {
   return items.map((item) =>
     el("article", {}, [
-      el("h2", {}, [item.name]),
+      el("h2", { title: item.name }, [plain(item.name)]),
       el("p", {}, [item.comment]),
       el("p", { class: "quiet" }, [`${item.file}:${String(item.line)}`]),
       el("pre", {}, [item.source]),
@@ -47,10 +48,10 @@ function explanations(store, { items }) {
  */
 function related(store, title, items) {
   const links = items.slice(0, MOST_NAMED).flatMap((item) => [
-    el("button", { type: "button", class: "link", click: () => store.set(CHOSEN, item) }, [item.name]),
-    " ",
-  ]);
-  const more = items.length > MOST_NAMED ? [`and ${String(items.length - MOST_NAMED)} more`] : [];
+    el("button", { type: "button", class: "link", title: item.name, click: () => store.set(CHOSEN, item) }, [plain(item.name)]),
+    ", ",
+  ]).slice(0, -1);
+  const more = items.length > MOST_NAMED ? [` and ${String(items.length - MOST_NAMED)} more`] : [];
   return items.length > 0 ? [el("h3", {}, [title]), el("p", {}, [...links, ...more])] : [];
 }
 

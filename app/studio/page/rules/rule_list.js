@@ -29,7 +29,7 @@ export function ruleList(store, service) {
   const show = () => {
     const { text, kind: of } = store.get(FILTER);
     const found = matching(store.get(ITEMS), text, of);
-    count.replaceChildren(text && found.length > MOST_SHOWN ? `${String(MOST_SHOWN)} of ${String(found.length)} shown` : `${String(found.length)} ${text || of ? "found" : "rules and words"}`);
+    count.replaceChildren(text && found.length > MOST_SHOWN ? `${String(MOST_SHOWN)} of ${found.length.toLocaleString("en")} shown` : `${found.length.toLocaleString("en")} ${text || of ? "found" : "rules and words"}`);
     list.replaceChildren(...(text ? found.slice(0, MOST_SHOWN).map((item) => entry(store, item)) : groupsOf(found).map((each) => group(store, each))));
   };
   for (const of of [FILTER, ITEMS]) {
@@ -58,6 +58,6 @@ function group(store, { name, items }) {
  */
 function entry(store, item) {
   const button = el("button", { type: "button", class: "link", "data-name": item.name, title: item.name, click: () => store.set(CHOSEN, item) }, [plain(item.name)]);
-  const about = plain([item.class, item.subtype].filter(Boolean).join(" ")).toLowerCase();
+  const about = plain([item.class, item.subtype].filter(Boolean).join(" ")).toLowerCase().replaceAll("|", " or ");
   return el("li", {}, [button, el("span", { class: "quiet" }, [` ${about}`])]);
 }

@@ -1,6 +1,6 @@
 /**
- * Keeps the line in this browser a moment after each change. What is not kept yet, or cannot be, is asked about before the
- * page goes; a page that is loaded again shows the line as it was.
+ * Keeps the line in this browser a moment after each change, and one that is nowhere else as soon as it is opened. What is
+ * not kept yet, or cannot be, is asked about before the page goes; a page that is loaded again shows the line as it was.
  */
 
 import { DOABLE } from "../state/history.js";
@@ -54,13 +54,14 @@ export function mayBeLost(saving) {
 }
 
 /**
- * Whether the line is another than the one that was opened.
+ * Whether the line is another than what is found again without being kept.
  *
  * @param {Store} store
  */
 function isOther(store) {
-  const { project, takes } = store.get(OPENED);
-  return JSON.stringify([draftOf(store.get(PROJECT)), store.get(TAKES)]) !== JSON.stringify([draftOf(project), takes]);
+  const { kept } = store.get(OPENED);
+  const now = [draftOf(store.get(PROJECT)), store.get(TAKES)];
+  return kept === null || JSON.stringify(now) !== JSON.stringify([draftOf(kept.project), kept.takes]);
 }
 
 /** @param {Store} store */

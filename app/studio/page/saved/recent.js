@@ -5,6 +5,7 @@ import { projects, remove } from "./shelf.js";
 
 /** @import { KeptProject } from "./shelf.js" */
 
+/** How many are listed before somebody asks for all. */
 const SHOWN = 6;
 
 /**
@@ -14,12 +15,20 @@ const SHOWN = 6;
  */
 export function recentLines(open) {
   const list = el("ul", { class: "recent" });
-  const element = el("div", { id: "recent", hidden: true }, [el("h3", {}, ["Recent"]), list]);
+  const all = el("button", { type: "button", id: "recent-all", class: "quiet" });
+  const element = el("div", { id: "recent", hidden: true }, [el("h3", {}, ["Recent"]), list, all]);
+  let most = SHOWN;
+  all.addEventListener("click", () => {
+    most = Infinity;
+    void show();
+  });
   const show = async () => {
     // Where the browser keeps nothing there is nothing to list.
     const found = await projects().catch(() => []);
     element.hidden = found.length === 0;
-    list.replaceChildren(...found.slice(0, SHOWN).map((project) => entry(project, open, () => void show())));
+    all.hidden = found.length <= most;
+    all.textContent = `All ${String(found.length)} lines`;
+    list.replaceChildren(...found.slice(0, most).map((project) => entry(project, open, () => void show())));
   };
   return { element, show };
 }

@@ -5,7 +5,7 @@ import { icon } from "../icons.js";
 import { problemOf } from "../service/service.js";
 import { ChangeProject } from "../state/change_project.js";
 import { PROBLEM } from "../state/performed.js";
-import { OPENED } from "../state/project.js";
+import { OPENED, PROJECT } from "../state/project.js";
 import { SAVING } from "./autosave.js";
 import { versions } from "./shelf.js";
 
@@ -14,7 +14,7 @@ import { versions } from "./shelf.js";
 
 const WORDS = Object.freeze({ same: "Versions", unsaved: "Saving…", saved: "Saved", failed: "Not saved" });
 const TITLES = Object.freeze({
-  same: "Every change is kept in this browser",
+  same: "Every change is kept in this browser; press for earlier versions",
   unsaved: "The last change is being kept",
   saved: "Kept in this browser; press for earlier versions",
   failed: "The browser cannot keep the line: save it as a project under Export",
@@ -37,6 +37,10 @@ export function mountSaving(element, store) {
   button.addEventListener("click", () => toggle(list.hidden));
   element.addEventListener("keydown", ({ key }) => key === "Escape" && toggle(false));
   element.append(button, list);
+  store.watch(PROJECT, ({ audio }) => {
+    button.disabled = audio === null;
+    toggle(false);
+  });
   store.watch(SAVING, (saving) => {
     button.dataset["saving"] = saving;
     button.classList.toggle("wrong", saving === "failed");

@@ -19,7 +19,7 @@ import { within } from "./database.js";
 /** A line as it was, and what had been done last. @typedef {Readonly<{ id: number, project: string, draft: Draft, label: string, saved_ms: number }>} Version */
 
 const MOST_VERSIONS = 40;
-const MOST_PROJECTS = 24;
+const MOST_PROJECTS = 100;
 const APART_MS = 20_000;
 
 /** @param {KeptProject} project */

@@ -15,6 +15,9 @@ import { checkClaims } from "./glb_claims.js";
 
 const STANDING = '<bml xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="standing"/>';
 
+/** Of a file that is no body. */
+export class NotABodyError extends Error {}
+
 /** Loads bodies; a character's is asked for once. */
 export class Bodies {
   #service;
@@ -40,7 +43,7 @@ export class Bodies {
   }
 
   /**
-   * The body in a file. Rejects where it is none.
+   * The body in a file. Rejects with a NotABodyError where it is none.
    *
    * @param {File} file
    * @returns {Promise<Body>}
@@ -56,7 +59,7 @@ export class Bodies {
       return { root: facingUs(scene, vrm), vrm };
     } catch (error) {
       const reason = error instanceof Error ? error.message : String(error);
-      throw new Error(`${file.name} is not a body in GLB or VRM: ${reason}`, { cause: error });
+      throw new NotABodyError(`${file.name} is not a body in GLB or VRM: ${reason}`, { cause: error });
     }
   }
 

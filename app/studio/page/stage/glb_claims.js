@@ -1,12 +1,14 @@
 /** What a GLB says of itself, looked at before it is loaded: three.js allocates whatever an accessor claims. */
 
 const JSON_AT = 20;
+const MAGIC = "glTF";
 const MOST_ELEMENTS = 50_000_000;
 
 /** @typedef {{ accessors?: { count?: number, sparse?: { count?: number } }[], nodes?: { children?: number[] }[] }} Claims */
 
 /**
- * Throws where accessors claim more elements than any body has, or where nodes are no trees, which would never load.
+ * Throws where it is no binary glTF, where accessors claim more elements than any body has, or where nodes are no trees,
+ * which would never load.
  *
  * @param {ArrayBuffer} content
  */
@@ -23,17 +25,29 @@ export function checkClaims(content) {
 }
 
 /**
- * The JSON of a GLB; of other content nothing, for the loader to refuse.
+ * The JSON of a GLB, as it is in its first chunk.
  *
  * @param {ArrayBuffer} content
  * @returns {Claims}
  */
 function claimsOf(content) {
-  if (content.byteLength < JSON_AT || new TextDecoder().decode(content.slice(0, 4)) !== "glTF") {
-    return {};
+  if (content.byteLength < JSON_AT || textOf(content, 0, MAGIC.length) !== MAGIC) {
+    throw new Error(`it does not begin with “${MAGIC}”, as binary glTF does; save the body anew as .glb or .vrm`);
   }
   const length = new DataView(content).getUint32(JSON_AT - 8, true);
-  return /** @type {Claims} */ (JSON.parse(new TextDecoder().decode(content.slice(JSON_AT, JSON_AT + length))));
+  if (JSON_AT + length > content.byteLength) {
+    throw new Error(`it ends after ${String(content.byteLength)} bytes, within its first part; copy or save it anew`);
+  }
+  return /** @type {Claims} */ (JSON.parse(textOf(content, JSON_AT, length)));
+}
+
+/**
+ * @param {ArrayBuffer} content
+ * @param {number} from
+ * @param {number} length
+ */
+function textOf(content, from, length) {
+  return new TextDecoder().decode(content.slice(from, from + length));
 }
 
 /**

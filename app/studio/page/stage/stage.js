@@ -9,7 +9,7 @@ import { selectedBehavior } from "../changes/behaviors.js";
 import { el } from "../dom.js";
 import { problemOf } from "../service/service.js";
 import { AVATAR, PERFORMED, PLAYBACK, PROBLEM, SELECTION, TIME_S } from "../state/performed.js";
-import { Bodies } from "./bodies.js";
+import { Bodies, NotABodyError } from "./bodies.js";
 import { viewOf } from "./cameras.js";
 import { Cast } from "./cast.js";
 import { Clock } from "./clock.js";
@@ -145,6 +145,9 @@ class Stage {
       await this.#drawings.take(listening !== "instead" && !avatar ? line : null, viewing);
     } catch (error) {
       this.#store.set(PROBLEM, problemOf(error));
+      if (error instanceof NotABodyError) {
+        this.#store.set(AVATAR, null);
+      }
     }
     this.#casts += 1;
     this.#isStale = true;

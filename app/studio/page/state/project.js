@@ -61,8 +61,8 @@ export function draftOf({ text, options, direction, words, edits, rules }) {
 }
 
 /**
- * The line as it was opened, by which it is known among those that are kept, with the takes that it had.
+ * By what the line is known among those that are kept, and how it was opened where it is found so again.
  *
- * @typedef {Readonly<{ id: string, project: Readonly<Project>, takes: readonly object[] }>} Opened
+ * @typedef {Readonly<{ id: string, kept: Readonly<{ project: Readonly<Project>, takes: readonly object[] }> | null }>} Opened
  */
-export const OPENED = slice(/** @type {Opened} */ ({ id: "", project: EMPTY, takes: [] }));
+export const OPENED = slice(/** @type {Opened} */ ({ id: "", kept: null }));

@@ -42,6 +42,12 @@ export class SceneClock {
     this.seek(this.time_s);
   }
 
+  /** @param {number} time_s */
+  playFrom(time_s) {
+    this.seek(time_s);
+    this.playing = true;
+  }
+
   pause() {
     if (this.playing) {
       this.toggle();

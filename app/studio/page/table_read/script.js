@@ -4,6 +4,7 @@
  */
 
 import { el } from "../dom.js";
+import { icon } from "../icons.js";
 import { noteOn, takeNote } from "./notes.js";
 import { colourOf, scenesOf } from "./scenes.js";
 
@@ -12,7 +13,11 @@ import { colourOf, scenesOf } from "./scenes.js";
 
 /** What is shown. @typedef {Readonly<{ script: string, lines: readonly SceneLine[], spans: readonly Span[], cast: readonly string[] }>} Shown */
 
-/** What a line can be asked to do. @typedef {Readonly<{ seek: (time_s: number) => void, open: (line: SceneLine) => void }>} Doing */
+/**
+ * What a line can be asked to do.
+ *
+ * @typedef {Readonly<{ seek: (time_s: number) => void, play: (time_s: number) => void, open: (line: SceneLine) => void }>} Doing
+ */
 
 export class Script {
   element = el("div", { class: "script", role: "region", "aria-label": "Script", tabindex: 0 });
@@ -44,12 +49,14 @@ export class Script {
    */
   #line({ script, lines, spans, cast }, place) {
     const line = /** @type {SceneLine} */ (lines[place]);
-    const go = el("button", { type: "button", class: "said", click: () => this.#doing.seek(spans[place]?.start_s ?? 0) }, [el("b", {}, [line.speaker]), ` ${line.text}`]);
+    const start_s = spans[place]?.start_s ?? 0;
+    const go = el("button", { type: "button", class: "said", click: () => this.#doing.seek(start_s) }, [el("b", {}, [line.speaker]), ` ${line.text}`]);
     this.#buttons[place] = go;
     const note = el("input", { type: "text", class: "note", placeholder: "Note…", "aria-label": `Note on ${line.id}`, value: noteOn(script, line.id) });
     note.addEventListener("change", () => takeNote(script, line.id, note.value.trim()));
-    const open = el("button", { type: "button", class: "quiet", title: "Open this line in the studio", "aria-label": `Open ${line.id} in the studio`, click: () => this.#doing.open(line) }, ["Edit"]);
-    return el("li", { class: `cast-${String(colourOf(cast, line.speaker))}` }, [go, el("div", { class: "beside-line" }, [note, open])]);
+    const play = el("button", { type: "button", class: "quiet", title: "Play from here", "aria-label": `Play from ${line.id} on`, click: () => this.#doing.play(start_s) }, [icon("play")]);
+    const open = el("button", { type: "button", class: "quiet", title: "Open this line in the studio", "aria-label": `Open ${line.id} in the studio`, click: () => this.#doing.open(line) }, ["Studio"]);
+    return el("li", { class: `cast-${String(colourOf(cast, line.speaker))}` }, [go, el("div", { class: "beside-line" }, [play, note, open])]);
   }
 
   /** @param {number} place of the line that is spoken */

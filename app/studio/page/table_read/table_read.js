@@ -55,8 +55,7 @@ function mountRoom(element, store, bodies) {
   const canvas = el("canvas", { id: "table-read-canvas", tabindex: 0, role: "img", "aria-label": "The scene" });
   const place = makePlace(canvas);
   const room = /** @type {Room} */ ({ reading: null });
-  const openInStudio = (/** @type {SceneLine} */ line) => toStudio(store, room, line);
-  const script = new Script({ seek: (time_s) => room.reading?.clock.seek(time_s), open: openInStudio });
+  const script = scriptOf(store, room);
   const failed = (/** @type {unknown} */ error) => store.set(PROBLEM, problemOf(error));
   const open = async (/** @type {Promise<SceneFiles>} */ files) => {
     const next = await Reading.open(await files, place, bodies, failed);
@@ -81,6 +80,20 @@ function mountRoom(element, store, bodies) {
 }
 
 /**
+ * The script whose lines move the clock of the room.
+ *
+ * @param {Store} store
+ * @param {Room} room
+ */
+function scriptOf(store, room) {
+  return new Script({
+    seek: (time_s) => room.reading?.clock.seek(time_s),
+    play: (time_s) => room.reading?.clock.playFrom(time_s),
+    open: (line) => toStudio(store, room, line),
+  });
+}
+
+/**
  * Opens a line of the scene as a line of its own: its recording, its words, who plays it.
  *
  * @param {Store} store
@@ -91,7 +104,7 @@ function toStudio(store, { reading }, { id, sound, text, performer }) {
   const recording = reading?.files.get(sound);
   if (recording) {
     const audio = new File([recording], sound.split("/").at(-1) ?? id, { type: recording.type });
-    openLine(store, { audio, text, options: performer === "default" ? {} : { character: performer } });
+    openLine(store, { audio, text, options: performer === "default" ? {} : { character: performer } }, { isFound: true });
     store.set(VIEW, "line");
   }
 }

@@ -21,24 +21,39 @@ export function transport(room, openOther) {
   };
   const back = el("button", { type: "button", class: "square", "aria-label": "One line back", title: "One line back", click: step(-1) }, [icon("step_back")]);
   const on = el("button", { type: "button", class: "square", "aria-label": "One line on", title: "One line on", click: step(1) }, [icon("step_on")]);
-  const slider = el("input", { type: "range", min: 0, max: 1, step: 0.01, value: 0, "aria-label": "Time of the scene" });
-  slider.addEventListener("input", () => room.reading?.clock.seek(slider.valueAsNumber));
-  const time = el("output", { "aria-label": "Time in seconds", id: "scene-time" });
+  const { slider, time, showTime } = timeSlider(room);
   const camera = choice(CAMERAS, "automatic", (value) => {
     if (room.reading) {
       room.reading.camera = /** @type {Camera} */ (value);
     }
   });
   const tell = () => {
-    const { time_s = 0, end_s = 0 } = room.reading?.clock ?? {};
     showPlaying(room.reading?.clock.playing ?? false);
-    [slider.max, slider.value] = [String(end_s), String(time_s)];
-    time.value = `${time_s.toFixed(1)} s`;
+    showTime(room.reading?.clock ?? STOPPED);
   };
   tell();
   const other = el("button", { type: "button", id: "scene-other", click: openOther }, ["Open…"]);
   const controls = el("div", { class: "transport" }, [play, back, on, slider, time, labelled("Camera", camera), notesButton(room), other]);
   return { controls, tell };
+}
+
+/** The time before a scene is open. */
+const STOPPED = Object.freeze({ time_s: 0, end_s: 0 });
+
+/** @param {Room} room */
+function timeSlider(room) {
+  const slider = el("input", { type: "range", min: 0, max: 1, step: 0.01, value: 0, "aria-label": "Time of the scene" });
+  slider.addEventListener("input", () => room.reading?.clock.seek(slider.valueAsNumber));
+  const time = el("output", { "aria-label": "Time in seconds", id: "scene-time" });
+  let shown = { time_s: NaN, end_s: NaN };
+  const showTime = (/** @type {Readonly<{ time_s: number, end_s: number }>} */ { time_s, end_s }) => {
+    if (time_s !== shown.time_s || end_s !== shown.end_s) {
+      shown = { time_s, end_s };
+      [slider.max, slider.value] = [String(end_s), String(time_s)];
+      time.value = `${time_s.toFixed(1)} s`;
+    }
+  };
+  return { slider, time, showTime };
 }
 
 /** @param {Room} room */

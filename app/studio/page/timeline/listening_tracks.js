@@ -1,6 +1,7 @@
 /** What is heard beside the words: how the voice sounds from phrase to phrase, and on which words the line's focus is. */
 
 import { plain } from "../naming/movements.js";
+import { strongest } from "../naming/tones.js";
 import { within } from "./items.js";
 
 /** @import { Performance } from "understudy-client" */
@@ -18,17 +19,6 @@ export function feelingItems({ affect, words }) {
     const items = within(`feeling:${String(index)}`, plain(tone), words[first]?.start_s, words[last]?.end_s);
     return items.map((item) => ({ ...item, technical }));
   });
-}
-
-/**
- * The tone that a voice has most of, and how much.
- *
- * @param {Readonly<Record<string, number>>} tones
- * @returns {readonly [string, number]}
- */
-export function strongest(tones) {
-  const ordered = Object.entries(tones).sort(([, one], [, other]) => other - one);
-  return ordered[0] ?? ["neutral", 1];
 }
 
 /** The least share of the largest that is shown. */
