@@ -14,7 +14,7 @@ export const SHOTS = Object.freeze([
   ["medium", "Medium"],
   ["close", "Close-up"],
   ["two_shot", "Two-shot"],
-  ["over_shoulder", "Over shoulder"],
+  ["over_shoulder", "Shoulder"],
 ]);
 
 /** Where a listener stands if the line does not say: metres. @type {Vector} */
