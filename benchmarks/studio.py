@@ -1,4 +1,4 @@
-"""Costs of the studio page: first paint, frames a second and the script's share of one, its size, from change to motion.
+"""Costs of the studio page: first paint, frames a second, the script's share of one, its size, from change to motion.
 
     python -m benchmarks.studio [--url http://127.0.0.1:8000]
 

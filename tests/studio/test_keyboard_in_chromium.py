@@ -1,12 +1,14 @@
 """Everything is reached, seen to have the focus, named and worked by the keyboard alone."""
 
 import json
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
 
 from tests.studio.support.changing import performed
 from tests.studio.support.waiting import wait_until
+from understudy.files import resource_folder
 
 SPARE_TABS = 25
 """The parts of file fields, and the browser's own."""
@@ -92,6 +94,43 @@ def test_the_line_is_played_and_looped_where_the_list_has_the_focus(opened: Page
     assert 0.5 <= float(opened.inner_text("#time").removesuffix(" s")) < 1.2
     opened.click("#views >> text=Rules")
     assert opened.evaluate("document.querySelector('audio').paused"), "it sounds where nobody sees it"
+
+
+def test_a_line_of_ones_own_is_performed_changed_and_taken_away_by_keys_alone(page: Page) -> None:
+    page.goto("/")
+    _tab_to(page, "#files")
+    with page.expect_file_chooser() as asked:
+        page.keyboard.press("Enter")
+    example = resource_folder("examples")
+    asked.value.set_files([example / "example.flac", example / "example.txt"])
+    page.wait_for_selector("#stage-canvas[data-roles='speaker']")
+    _tab_to(page, "#items")
+    page.keyboard.press("Home")
+    while not page.locator("#items li[aria-selected=true][title*='gesture NEGATION']").count():
+        page.keyboard.press("ArrowDown")
+    before_s = float(page.input_value(STROKE))
+    page.keyboard.press("Alt+Shift+ArrowRight")
+    performed(page)
+    assert float(page.input_value(STROKE)) == pytest.approx(before_s + 0.1, abs=0.011)
+    _tab_to(page, "#play")
+    page.keyboard.press("Enter")
+    expect(page.locator("#play")).to_have_text("Pause")
+    page.keyboard.press("Enter")
+    _tab_to(page, "#tab-exports")
+    page.keyboard.press("Enter")
+    _tab_to(page, "#export")
+    with page.expect_download() as saved:
+        page.keyboard.press("Enter")
+    assert "NEGATION" in Path(saved.value.path()).read_text(encoding="utf-8")
+
+
+def _tab_to(page: Page, selector: str) -> None:
+    """Presses Tab until what a selector finds has the focus."""
+    for _press in range(page.evaluate(CONTROLS) + SPARE_TABS):
+        page.keyboard.press("Tab")
+        if page.evaluate("(selector) => document.activeElement.matches(selector)", selector):
+            return
+    raise AssertionError(f"Tab never leads to {selector}")
 
 
 def test_the_camera_orbits_by_keyboard(looked_at: Page) -> None:

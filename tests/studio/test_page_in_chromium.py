@@ -34,7 +34,9 @@ def test_a_body_that_is_none_is_told_and_ours_stays(looked_at: Page, tmp_path: P
     wrong = tmp_path / "body.glb"
     wrong.write_bytes(b"no body")
     looked_at.set_input_files("#files", str(wrong))
-    looked_at.wait_for_selector("#problem:has-text('body.glb is not a body in GLB or VRM: it does not begin with “glTF”')")
+    looked_at.wait_for_selector(
+        "#problem:has-text('body.glb is not a body in GLB or VRM: it does not begin with “glTF”')"
+    )
     expect(looked_at.locator("#project button:has-text('Use the default body')")).to_be_hidden()
 
 

@@ -1,11 +1,13 @@
 """Takes the pictures of docs/studio-tasks.md: `python -m tests.studio.scripts.pictures docs/images/studio/tasks`.
 
-Each task (../support/tasks.py) is done in each look, with a picture of its last step; with `--steps` of every one.
+Each task (../support/tasks.py) is done in one look, by turns as its test does, with a picture of what it comes to; with
+`--steps` or `--look` in each look (or those that are named), with a picture of every step.
 """
 
 import argparse
 import base64
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from itertools import cycle, product
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -34,8 +36,8 @@ async ([png, quality]) => {
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("out", type=Path)
-    parser.add_argument("--steps", action="store_true", help="a picture of every step")
-    parser.add_argument("--look", action="append", choices=list(LOOKS), help="all, unless some are named")
+    parser.add_argument("--steps", action="store_true", help="a picture of every step, in all looks")
+    parser.add_argument("--look", action="append", choices=list(LOOKS), help="a picture of every step in this look")
     parser.add_argument("--task", action="append", choices=list(TASKS))
     asked = parser.parse_args()
     asked.out.mkdir(parents=True, exist_ok=True)
@@ -45,27 +47,44 @@ def main() -> None:
         with Understudy.load(Settings()) as understudy:
             scene = perform_scene(understudy, Path(folder, "scene"))
         browser = started.chromium.launch(executable_path=CHROMIUM, args=list(FLAGS))
-        for look in asked.look or LOOKS:
-            _take(browser, address, look, asked, Desk(browser.new_page(), scene, Path(folder), look=print))
+        desk = Desk(browser.new_page(), scene, Path(folder), look=print)
+        for name, look in _asked_for(asked):
+            steps = _steps(browser, address, desk, task=name, look=look)
+            number = list(TASKS).index(name) + 1
+            named = {f"{number:02}-{name}-{step}-{look}": png for step, png in steps.items()}
+            for told, png in (named if _is_whole(asked) else {name: steps[_telling(name, steps)]}).items():
+                webp = desk.page.evaluate(AS_WEBP, [base64.b64encode(png).decode(), QUALITY])
+                (asked.out / f"{told}.webp").write_bytes(base64.b64decode(webp))
         browser.close()
 
 
-def _take(browser: Browser, address: str, look: str, asked: argparse.Namespace, desk: Desk) -> None:
-    """The pictures of all tasks in one look; `desk.page` is where they are made smaller."""
+def _telling(task: str, steps: Iterable[str]) -> str:
+    """The step that tells most of a task: the last, but where that leads elsewhere."""
+    return "scene" if task == "table_read" else list(steps)[-1]
+
+
+def _is_whole(asked: argparse.Namespace) -> bool:
+    """Whether every step is asked for, not the last alone."""
+    return bool(asked.steps or asked.look)
+
+
+def _asked_for(asked: argparse.Namespace) -> list[tuple[str, str]]:
+    """The tasks, each with a look in which it is to be done."""
+    by_turns = list(zip(TASKS, cycle(LOOKS), strict=False))
+    pairs = list(product(TASKS, asked.look or LOOKS)) if _is_whole(asked) else by_turns
+    return [(name, look) for name, look in pairs if not asked.task or name in asked.task]
+
+
+def _steps(browser: Browser, address: str, desk: Desk, *, task: str, look: str) -> dict[str, bytes]:
+    """Pictures of the steps of a task, PNG."""
     size, theme = LOOKS[look]
-    for number, (name, task) in enumerate(TASKS.items(), start=1):
-        if asked.task and name not in asked.task:
-            continue
-        context = browser.new_context(viewport=size, color_scheme=theme, base_url=address, reduced_motion="reduce")
-        page = context.new_page()
-        page.set_default_timeout(PATIENCE_MS)
-        steps: dict[str, bytes] = {}
-        task(Desk(page, desk.scene, desk.folder, look=_keeper(page, steps)))
-        context.close()
-        for step, png in steps.items() if asked.steps else list(steps.items())[-1:]:
-            told = f"{number:02}-{name}-{step}-{look}" if asked.steps else f"{name}-{look}"
-            webp = desk.page.evaluate(AS_WEBP, [base64.b64encode(png).decode(), QUALITY])
-            (asked.out / f"{told}.webp").write_bytes(base64.b64decode(webp))
+    context = browser.new_context(viewport=size, color_scheme=theme, base_url=address, reduced_motion="reduce")
+    page = context.new_page()
+    page.set_default_timeout(PATIENCE_MS)
+    steps: dict[str, bytes] = {}
+    TASKS[task](Desk(page, desk.scene, desk.folder, look=_keeper(page, steps)))
+    context.close()
+    return steps
 
 
 def _keeper(page: Page, steps: dict[str, bytes]) -> Callable[[str], None]:

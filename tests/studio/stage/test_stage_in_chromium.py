@@ -30,6 +30,19 @@ HEARD = """
 """
 """Keeps what the recording says when it is asked where it is."""
 
+COUNTED = """
+() => {
+  window.drawn = 0;
+  for (const of of [WebGL2RenderingContext.prototype, CanvasRenderingContext2D.prototype]) {
+    for (const name of ["drawElements", "drawArrays", "clear", "clearRect", "fillRect", "stroke", "fillText"]) {
+      const own = of[name];
+      if (own) of[name] = function (...given) { window.drawn += 1; return own.apply(this, given); };
+    }
+  }
+}
+"""
+"""Counts what is drawn on canvases from now on."""
+
 
 def _pose(page: Page) -> list[float]:
     """Where the wrists are, metres."""
@@ -74,6 +87,16 @@ def test_each_frame_shows_what_was_heard_when_it_began(rewound: Page) -> None:
     samples = [sample for sample in rewound.evaluate(SAMPLED) if sample[0] < EXAMPLE_S - FRAME_S]
     assert len({heard for _shown, heard in samples}) > 1
     assert max(abs(shown - heard) for shown, heard in samples) < 1e-6
+
+
+def test_nothing_is_drawn_while_nothing_changes(rewound: Page) -> None:
+    rewound.evaluate(COUNTED)
+    rewound.wait_for_timeout(300)
+    before = rewound.evaluate("window.drawn")
+    rewound.wait_for_timeout(500)
+    assert rewound.evaluate("window.drawn") == before
+    rewound.keyboard.press("ArrowRight")
+    wait_until(rewound, f"window.drawn > {before}")
 
 
 def test_frames_are_stepped_by_button_and_key(rewound: Page) -> None:

@@ -66,7 +66,8 @@ function options(store, service) {
   void fillCharacters(character, store, service);
   const seed = el("input", { type: "number", step: 1, value: 0, id: "seed" });
   seed.addEventListener("change", () => setOption(store, "seed", Number(seed.value)));
-  const stillness = el("input", { type: "range", min: 0, max: 1, step: 0.05, value: 0, id: "stillness" });
+  const hint = "How much less everything moves that is not told by the words: at the left as usual, at the right hardly at all";
+  const stillness = el("input", { type: "range", min: 0, max: 1, step: 0.05, value: 0, id: "stillness", title: hint });
   stillness.addEventListener("change", () => setOption(store, "stillness", Number(stillness.value)));
   const [profile, examples] = profileField(store);
   const chosen = chosenOptions(store);
