@@ -57,8 +57,8 @@ function trackRow(store, language, track, index) {
     number(`${axis}, °`, "track_degrees", degrees[at] ?? 0, (angle) => change({ degrees: /** @type {[number, number, number]} */ (degrees.with(at, angle)) })),
   );
   const circling = [
-    number("Turns", "track_turns", turns, (value) => change({ turns: value })),
-    number("From, °", "track_phase_deg", phase_deg, (value) => change({ phase_deg: value })),
+    number("turns", "track_turns", turns, (value) => change({ turns: value })),
+    number("from, °", "track_phase_deg", phase_deg, (value) => change({ phase_deg: value })),
   ];
   const remove = () => changeGesture(store, `Remove ${name}`, (gesture) => withoutTrack(gesture, index));
   return el("div", { class: "row track", role: "group", "aria-label": name }, [
