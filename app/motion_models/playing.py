@@ -39,7 +39,7 @@ def played(model: MotionModel, motion: Motion, voice: Contours, skeleton: Skelet
         heard = until
         rotations[place, at] = player.pose(rotations[place, at], float(at_s))
     body, moved_out = resolve_collisions(skeleton, BodyMotion(motion.body.times_s, rotations, motion.body.hips_m))
-    return replace(motion, body=body, decisions=(*motion.decisions, *moved_out))
+    return replace(motion, body=body, decisions=(*motion.decisions, *moved_out.decisions))
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,13 +15,13 @@ import numpy as np
 from ..model import Behavior, Channel, FloatArray, Hand, Schedule, SyncPoints
 from ..model.figure import PLAIN, Figure, Looks, Wait
 from ..option_table import MOTION
-from .arms.collisions import resolve_collisions
+from .arms.collisions import Collisions, resolve_collisions
 from .body.motion import BodyMotion, Decision, Motion
 from .body.movement_style import Ends, MovementStyle
 from .body.proportions import Proportions
 from .body.skeleton import Skeleton
 from .dynamics.calming import with_calm_arms
-from .dynamics.take_ends import eased_at_the_ends
+from .dynamics.take_ends import eased_at_the_ends, still_at_the_ends
 from .exporting.retargeting import Rig, find_rig, load_rigs
 from .face.expressions import realized_faces, unknown_faces
 from .face.face import face_weights
@@ -153,7 +153,7 @@ def realize(
     )
     times_s = frame_times_s(schedule.duration_s, frame_rate_hz)
     body, told = _moving_body(skeleton, schedule, plan, times_s, style=style, targets_m=aims_m, seed=seed)
-    body, moved = _apart(skeleton, body, physics=physics)
+    body, moved = _apart(skeleton, body, style.ends, physics=physics)
     realized = _realized(schedule.behaviors, plan, frame_s=1 / frame_rate_hz, end_s=float(times_s[-1]))
     shapes = face_weights(realizer.face, schedule, body, skeleton, seed=seed)
     unknown = _unknown_body(realizer, schedule.character)
@@ -206,28 +206,31 @@ def _moving_body(
     return body, (*(look.decision for look in looks), *stepped)
 
 
-def _apart(skeleton: Skeleton, body: BodyMotion, *, physics: bool) -> tuple[BodyMotion, tuple[Decision, ...]]:
+def _apart(
+    skeleton: Skeleton, body: BodyMotion, ends: Ends, *, physics: bool
+) -> tuple[BodyMotion, tuple[Decision, ...]]:
     """The body with its limbs apart and its arms no faster than arms are, with `physics` also after its mass has
-    swung."""
-    body, moved = _apart_and_calm(skeleton, body)
-    if not physics:
-        return body, moved
-    body, swung = with_physics(skeleton, body)
-    body, cleared = _apart_and_calm(skeleton, body)
-    return body, (*moved, *swung, *cleared)
+    swung; and at rest at both ends."""
+    body, collisions = _apart_and_calm(skeleton, body, ends)
+    swung: tuple[Decision, ...] = ()
+    if physics:
+        body, swung = with_physics(skeleton, body)
+        body, again = _apart_and_calm(skeleton, body, ends)
+        collisions = collisions.and_then(again)
+    return body, (*collisions.decisions, *swung)
 
 
-def _apart_and_calm(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decision, ...]]:
-    """Limbs that are kept apart may be too fast, and those that are calmed inside something: in turns, until they are
-    neither."""
-    body, decisions = resolve_collisions(skeleton, body)
+def _apart_and_calm(skeleton: Skeleton, body: BodyMotion, ends: Ends) -> tuple[BodyMotion, Collisions]:
+    """Limbs that are kept apart may be too fast or not at rest at the ends, and those that are calmed inside something:
+    in turns, until they are neither."""
+    body, found = resolve_collisions(skeleton, body)
     for _round in range(_APART_ROUNDS):
-        calm = with_calm_arms(skeleton, body)
+        calm = with_calm_arms(skeleton, still_at_the_ends(skeleton, body, ends.eased_s))
         if calm is body:
             break
-        body, moved = resolve_collisions(skeleton, calm)
-        decisions = (*decisions, *moved)
-    return body, decisions
+        body, again = resolve_collisions(skeleton, calm)
+        found = found.and_then(again)
+    return body, found
 
 
 def frame_times_s(end_s: float, frame_rate_hz: int) -> FloatArray:

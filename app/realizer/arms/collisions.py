@@ -29,26 +29,65 @@ _TOLERATED_M = 0.001
 _ATTEMPTS = 3
 
 
-def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, tuple[Decision, ...]]:
+@dataclass(frozen=True, slots=True)
+class Intrusion:
+    """A stretch of time in which a limb of that side would have been inside something, and how deep."""
+
+    side: str
+    limb: str
+    other: str
+    deepest_m: float
+    start_s: float
+    end_s: float
+
+    def overlaps(self, other: "Intrusion") -> bool:
+        return self.side == other.side and self.start_s <= other.end_s and other.start_s <= self.end_s
+
+    @property
+    def decision(self) -> Decision:
+        when = f"from {self.start_s:.2f} s to {self.end_s:.2f} s"
+        inside = f"{100 * self.deepest_m:.1f} cm inside the {self.other}"
+        return Decision("", "moved", f"the {self.side} {self.limb} would have been {inside} {when}")
+
+
+@dataclass(frozen=True, slots=True)
+class Collisions:
+    """What limbs were moved out of, and the decisions about those that stay inside something."""
+
+    moved: tuple[Intrusion, ...] = ()
+    kept: tuple[Decision, ...] = ()
+
+    def and_then(self, later: "Collisions") -> "Collisions":
+        """With what was found in the resulting motion when it was looked at again: what was moved then again is told
+        once, and what stays inside is what stays at last."""
+        new = tuple(each for each in later.moved if not any(each.overlaps(known) for known in self.moved))
+        return Collisions((*self.moved, *new), later.kept)
+
+    @property
+    def decisions(self) -> tuple[Decision, ...]:
+        return (*(each.decision for each in self.moved), *self.kept)
+
+
+def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, Collisions]:
     """Move hands and forearms out of torso, head, upper legs and each other, and bring trunk, neck and arms within
     limits.
 
-    Returns the new motion, and a decision for each stretch of time in which a hand was displaced, or could not be
-    without making a joint jump.
+    Returns the new motion, and the stretches of time in which a hand was displaced, or could not be without making a
+    joint jump.
 
     Where something stays inside, as when both arms fold at once, displacements are blended in over a longer time, and
     then limbs leave on another side; what is left after the best of these is left again, from there.
     """
     body = replace(body, rotations=clamped(skeleton, body.rotations))
     depth_m = depths_where_near_m(skeleton, body)
-    decisions = _decisions(depth_m, body.times_s)
+    moved = tuple(_intrusions(depth_m, body.times_s))
     unsolved: tuple[_Clearance, ...] = ()
-    for _attempt in range(_ATTEMPTS if decisions else 0):
+    for _attempt in range(_ATTEMPTS if moved else 0):
         unsolved = _left_inside(skeleton, body, depth_m.max(axis=1) > 0)
         if not unsolved:
             break
         depth_m = depths_where_near_m(skeleton, body)
-    return body, (*decisions, *(_unsolved(body.times_s[each.there], each.left_m) for each in unsolved))
+    return body, Collisions(moved, tuple(_unsolved(body.times_s[each.there], each.left_m) for each in unsolved))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -133,22 +172,18 @@ def _deepest_between_m(depth_m: FloatArray) -> FloatArray:
     return np.asarray(np.where(moving, between_m, -1.0).max(axis=1))
 
 
-def _decisions(depths: FloatArray, times_s: FloatArray) -> tuple[Decision, ...]:
-    """One decision for each stretch of frames in which a limb penetrated something."""
-    decisions = []
+def _intrusions(depths: FloatArray, times_s: FloatArray) -> Iterator[Intrusion]:
+    """The stretches of frames in which a limb is inside something, of each side."""
     if depths.max() <= 0:
-        return ()
+        return
     for side in SIDES:
         own = [column for column, (limb, _other) in enumerate(PAIRS) if BUILD[limb].joint.startswith(side)]
         depth_m = depths[:, own]
         for first, past in stretches(depth_m.max(axis=1) > 0):
-            column = int(np.argmax(depth_m[first:past].max(axis=0)))
-            limb, other = (BUILD[number].part for number in PAIRS[own[column]])
-            deepest_cm = 100 * depth_m[first:past].max()
-            when = f"from {times_s[first]:.2f} s to {times_s[past - 1]:.2f} s"
-            reason = f"the {side} {limb} would have been {deepest_cm:.1f} cm inside the {other} {when}"
-            decisions.append(Decision("", "moved", reason))
-    return tuple(decisions)
+            deepest_m = depth_m[first:past].max(axis=0)
+            limb, other = (BUILD[number].part for number in PAIRS[own[int(np.argmax(deepest_m))]])
+            start_s, end_s = float(times_s[first]), float(times_s[past - 1])
+            yield Intrusion(side, limb, other, float(deepest_m.max()), start_s, end_s)
 
 
 def _unsolved(times_s: FloatArray, left_m: float) -> Decision:

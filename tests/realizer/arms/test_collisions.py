@@ -7,12 +7,12 @@ import pytest
 
 from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.arms import ArmTrack, TimedPose, arm_motion
-from understudy.realizer.arms.collisions import depths_where_near_m, resolve_collisions
+from understudy.realizer.arms.collisions import Collisions, Intrusion, depths_where_near_m, resolve_collisions
 from understudy.realizer.arms.posing import PartialPose, pose_arm
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.contacts import depths_m, penetrations_m
 from understudy.realizer.body.limits import violations
-from understudy.realizer.body.motion import BodyMotion
+from understudy.realizer.body.motion import BodyMotion, Decision
 from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton, arm_joints
 from understudy.realizer.geometry.rotations import IDENTITY, angle_between
 from understudy.realizer.gestures.gesture import (
@@ -70,10 +70,10 @@ def test_hands_that_would_be_inside_something_are_kept_out_without_a_jump(
 ) -> None:
     body = moving(*keys)
     assert deepest_m(body) > 0.02
-    cleared, decisions = resolve_collisions(BODY, body)
+    cleared, found = resolve_collisions(BODY, body)
     assert deepest_m(cleared) < 0.001
-    assert {decision.action for decision in decisions} == {"moved"}
-    assert "cm inside" in decisions[0].reason
+    assert {decision.action for decision in found.decisions} == {"moved"}
+    assert "cm inside" in found.decisions[0].reason
     speed = angle_between(cleared.rotations[1:], cleared.rotations[:-1]) * RATE_HZ
     assert speed.max() < 20
     assert np.abs(np.diff(speed, axis=0)).max() < 4
@@ -83,8 +83,8 @@ def test_hands_that_would_be_inside_something_are_kept_out_without_a_jump(
 
 def test_what_is_clear_is_left_as_it_is() -> None:
     body = moving((Hand.LEFT, BEFORE), (Hand.RIGHT, BEFORE))
-    cleared, decisions = resolve_collisions(BODY, body)
-    assert decisions == ()
+    cleared, found = resolve_collisions(BODY, body)
+    assert found.decisions == ()
     assert np.array_equal(cleared.rotations, body.rotations)
 
 
@@ -107,10 +107,10 @@ def test_what_cannot_be_cleared_without_a_jump_is_told() -> None:
     track = (TimedPose(0.0, start), TimedPose(1.0, start), TimedPose(1.12, behind.over(start)), TimedPose(1.24, start))
     through = body.rotations.copy()
     through[:, BODY.chain(*arm_joints(Hand.LEFT))] = arm_motion(ArmTrack(Hand.LEFT, track), TIMES_S, seed=0)
-    cleared, decisions = resolve_collisions(BODY, BodyMotion(TIMES_S, through, body.hips_m))
+    cleared, found = resolve_collisions(BODY, BodyMotion(TIMES_S, through, body.hips_m))
     fastest = [angle_between(each[1:], each[:-1]).max() * RATE_HZ for each in (through, cleared.rotations)]
     assert fastest[1] <= max(20.0, fastest[0] + 1e-6)
-    assert (deepest_m(cleared) > 0.001) == ("kept" in {decision.action for decision in decisions})
+    assert (deepest_m(cleared) > 0.001) == ("kept" in {decision.action for decision in found.decisions})
     assert deepest_m(cleared) < deepest_m(BodyMotion(TIMES_S, through, body.hips_m))
 
 
@@ -138,3 +138,12 @@ def test_hands_that_are_in_each_other_for_three_frames_only_are_found(shift: int
     inside_m = depths_m(BODY, shifted.rotations, shifted.hips_m).max(axis=1)
     assert 1 <= np.sum(inside_m > 0) <= 3
     assert np.array_equal(depths_where_near_m(BODY, shifted).max(axis=1) > 0, inside_m > 0)
+
+
+def test_what_is_moved_again_is_told_once_and_what_stays_inside_as_it_is_at_last() -> None:
+    left, right = (Intrusion(side, "hand", "torso", 0.02, 1.0, 1.5) for side in ("left", "right"))
+    later = replace(left, start_s=1.4, end_s=1.8, deepest_m=0.003)
+    kept = Decision("", "kept", "a hand stays 0.5 cm inside something")
+    found = Collisions((left,), (kept,)).and_then(Collisions((later, right, replace(left, start_s=3.0, end_s=3.1))))
+    assert [(each.side, each.start_s) for each in found.moved] == [("left", 1.0), ("right", 1.0), ("left", 3.0)]
+    assert found.kept == ()
