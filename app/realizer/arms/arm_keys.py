@@ -138,9 +138,10 @@ def _gesture_keys(skeleton: Skeleton, gesture: ArmGesture, arc: Arc) -> Iterator
     yield from (_timed(gesture, each) for each in posed if not markers.stroke_end < each.key.time_s == markers.relax)
     start = _together(each.pose for each in posed if each.key.time_s <= markers.stroke_start)
     end = _together(each.pose for each in posed if each.key.time_s <= markers.relax)
+    turned = _together(each.pose for each in posed if each.key.time_s < markers.stroke_end)
     hanging = _resting(skeleton, gesture.side, "at_side")
     for repeat in (*gesture.placed.repeats, *gesture.beats):
-        yield from _repeat_keys(repeat, start, end, hanging)
+        yield from _repeat_keys(repeat, turned if repeat.swings else start, end, hanging)
     held = next((each.key.curve for each in posed if each.key.time_s == markers.relax), KeyCurve())
     yield _shaped(TimedPose(gesture.markers.relax, end, noise=HOLD_NOISE), held)
     drops = gesture.blended_to is None and not any(each.key.time_s > markers.relax for each in posed)
@@ -272,7 +273,8 @@ def _repeat_keys(repeat: Repeat, start: PartialPose, end: PartialPose, hanging: 
     if repeat.way_m is not None:
         towards, share = hanging, _share_of_way(end, hanging, repeat.way_m)
     back = slerp(end.parts, towards.parts, np.array(share))
-    back[HAND_ROWS] = end.parts[HAND_ROWS]
+    if not repeat.swings:
+        back[HAND_ROWS] = end.parts[HAND_ROWS]
     yield TimedPose(repeat.start_s, end, noise=HOLD_NOISE)
     yield TimedPose(turn_s, PartialPose(back), noise=STROKE_NOISE)
     yield TimedPose(repeat.end_s, end, noise=HOLD_NOISE, marked=True)

@@ -20,6 +20,7 @@ from ..gestures.brief_strokes import in_less_time
 from ..gestures.gesture import ArmKey, Clip, Markers, TrackForm
 from ..gestures.gesture_plan import PlacedGesture
 from ..gestures.gesture_space import sector_m
+from ..gestures.waves import waves
 
 _LEAST_TENSION = 0.75
 _LEAST_S = 0.17
@@ -55,7 +56,7 @@ def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -
     pace = float(rng.uniform(*strokes.variety))
     wanted_m_s = min(strokes.fastest_m_s[level], pace * strokes.speed_m_s[level] * _quickness(placed))
     way_m, fastest_m_s = _stroke_m(placed)
-    if not wanted_m_s or clip.category in strokes.unhurried or way_m < _SHORTEST_M or _circles(clip):
+    if not wanted_m_s or clip.category in strokes.unhurried or way_m < _SHORTEST_M or _to_and_fro(clip):
         return placed
     stroke_s = clip.markers.stroke_end - clip.markers.stroke_start
     share = max(way_m / stroke_s / wanted_m_s, max(_LEAST_S, strokes.shortest_s / pace) / stroke_s)
@@ -71,9 +72,9 @@ def _lasting(placed: PlacedGesture, length_s: float, most_m_s: float) -> PlacedG
     return replace(placed, clip=quickened(placed.clip, min(max(length_s / stroke_s, fastest), _SLOWEST)))
 
 
-def _circles(clip: Clip) -> bool:
-    """Whether the arm also circles during the stroke."""
-    return any(track.form is TrackForm.CIRCLING for track in clip.tracks)
+def _to_and_fro(clip: Clip) -> bool:
+    """Whether the arm circles or waves during the stroke."""
+    return waves(clip) or any(track.form is TrackForm.CIRCLING for track in clip.tracks)
 
 
 def _is_close(placed: PlacedGesture) -> bool:
@@ -134,7 +135,7 @@ def wound_up(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
     longest_m = manner.amplitude * min(strokes.longest_m[level], _WOUND_UP_M_S * stroke_s * manner.speed)
     farther = 1 + _more(manner.amplitude) * (strokes.wind_up[level] - 1)
     factor = min(farther, longest_m / max(way_m, _SHORTEST_M))
-    if not free or _circles(clip) or factor <= 1 or way_m < _SHORTEST_M or amplitude(placed) < _LEAST_SIZE:
+    if not free or _to_and_fro(clip) or factor <= 1 or way_m < _SHORTEST_M or amplitude(placed) < _LEAST_SIZE:
         return placed
     begins = clip.markers.ready, clip.markers.stroke_start
     nearest_m = _NOT_NEARER_M if len(ends_m) == 1 else _NOT_NEARER_BOTH_M

@@ -265,7 +265,8 @@ class Clip:
     """A playable gesture: a definition at one level of agitation, made by one hand or both.
 
     `stroke_speed_m_s` is the mean speed of the leading hand from `stroke_start` to `stroke_end` (paper §3.8, v). Space
-    and pace of the `manner` are in `expressivity` and in the times already.
+    and pace of the `manner` are in `expressivity` and in the times already. A `cut_wave` has the last swing of a wave
+    only (`waves`).
     """
 
     name: str
@@ -279,3 +280,4 @@ class Clip:
     aimed: bool = False
     tracks: tuple[OffsetTrack, ...] = ()
     manner: GestureManner = PLAIN_MANNER
+    cut_wave: bool = False

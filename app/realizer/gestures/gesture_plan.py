@@ -74,12 +74,13 @@ class GestureRequest:
 class Repeat:
     """A partial repetition of the stroke (Gesture Engine §5.1): back from `start_s`, and forth until `end_s`, which is
     on an emphasis; `amplitude` is a share of the first stroke's. One with `way_m` goes that far back towards hanging
-    instead."""
+    instead, one that `swings` to where the hand turned back last, and with it the hand."""
 
     start_s: float
     end_s: float
     amplitude: float
     way_m: float | None = None
+    swings: bool = False
 
 
 @dataclass(frozen=True, slots=True)

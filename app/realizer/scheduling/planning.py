@@ -20,7 +20,7 @@ from ..body.movement_style import PLAIN, MovementStyle, Strokes
 from ..dynamics.level_variants import varied
 from ..dynamics.resting_beats import Habits
 from ..dynamics.resting_beats import with_beats as riding
-from ..dynamics.snapping import lifted, snapped, wound_up
+from ..dynamics.snapping import lifted, quickened, snapped, wound_up
 from ..gestures.gesture_plan import (
     ArmGesture,
     ArmRest,
@@ -50,6 +50,8 @@ _STILL = 0.5
 _PACE = 1
 """What is drawn for a stroke, beside what is drawn for its gesture's hands."""
 _NOTICEABLE_S = 0.02
+_SOONEST_SHARE = 0.4
+"""Of the stroke that shows what the words say, if the way there takes longer than there is time for the whole."""
 _NEXT = 3
 """A gesture and those after it that it may be in the way of, the next of either hand among them."""
 
@@ -192,6 +194,7 @@ class Draw:
             strong = wound_up(lifted(each, strokes), strokes)
             others += [each] if strong is not each else []
             yield self._quick(strong)
+        yield from (self._quick(_later(one)) for one, other in zip(shown, plain, strict=True) if one is not other)
         yield from map(self._quick, others)
 
     def _quick(self, placed: PlacedGesture) -> PlacedGesture:
@@ -201,6 +204,11 @@ class Draw:
     @property
     def _strokes(self) -> Strokes:
         return self.setting.style.strokes
+
+
+def _later(placed: PlacedGesture) -> PlacedGesture:
+    """The gesture with a stroke that begins later: where the way to what its words say is long, that takes its time."""
+    return replace(placed, clip=quickened(placed.clip, _SOONEST_SHARE))
 
 
 def _late_ones_last(options: Iterable[PlacedGesture]) -> Iterator[PlacedGesture]:

@@ -13,9 +13,12 @@ from math import inf
 
 import numpy as np
 
+from ...model import Hand
+from ...model.limits import shortest_transition_s
 from ..body.movement_style import Holds
 from ..gestures.gesture_plan import ArmGesture, PlacedGesture, Repeat
-from .transitions import TransitionContext, transition_s
+from ..gestures.waves import waves
+from .transitions import TransitionContext, stroke_speed_m_s, transition_s, way_m
 
 AMPLITUDES = (0.6, 0.4, 0.25)
 """Of the first, second and third repetition, as shares of the stroke; of later ones each is `FADING` of the one before
@@ -27,8 +30,13 @@ LONGEST_SPACING_S = 1.5
 """A later emphasis is not part of the gesture any more."""
 LONGEST_BEAT_S = 0.7
 """How long a repetition in a hold takes at most."""
+SEEN_S = 0.35
+"""For which a size or a place is shown before a beat."""
 AFTER_S = 0.1
 """The hold after the last repetition."""
+WAVE_S = 0.4
+"""In which a waving hand swings to one side and back."""
+MOST_WAVES = 3
 BEATS = frozenset({"BEAT", "BEAT_HIGH", "RHYTHM", "PRECISION", "CHOP", "PALM_BEAT"})
 BEAT_REPEATS = 2
 
@@ -36,12 +44,26 @@ BEAT_REPEATS = 2
 def with_repeats(placed: PlacedGesture, emphases_s: Iterable[float], until_s: float) -> PlacedGesture:
     """The gesture with its stroke repeated on the emphases before `until_s`, and its relax time after the last one."""
     asked_s = placed.request.after_strokes_s
-    repeats = tuple(
-        _repeats(placed, sorted(emphases_s), until_s) if asked_s is None else _asked(placed, asked_s, until_s)
-    )
+    if asked_s is not None:
+        repeats = tuple(_asked(placed, asked_s, until_s))
+    elif waves(placed.clip):
+        repeats = tuple(_waved(placed, until_s))
+    else:
+        repeats = tuple(_repeats(placed, sorted(emphases_s), until_s))
     if not repeats:
         return placed
     return replace(placed, repeats=repeats, relax_s=max(placed.relax_s, min(repeats[-1].end_s + AFTER_S, until_s)))
+
+
+def _waved(placed: PlacedGesture, until_s: float) -> Iterator[Repeat]:
+    """Further swings of a waving hand, one after the other, as long as it would be held, and one at least if there is
+    time."""
+    swing_s = WAVE_S / placed.clip.expressivity.tempo
+    for number in range(MOST_WAVES):
+        end_s = placed.stroke_end_s + (number + 1) * swing_s
+        if end_s > (until_s if number == 0 else min(until_s, placed.relax_s + swing_s)):
+            return
+        yield Repeat(end_s - swing_s, end_s, 1.0, swings=True)
 
 
 def most_repeats(placed: PlacedGesture) -> int:
@@ -86,7 +108,8 @@ def told_repeats(arm: ArmGesture) -> Iterator[str]:
     """The strokes that an arm repeats, and those that are asked for and are not, in words."""
     gesture = arm.placed
     if gesture.repeats:
-        yield f"strokes again on the emphases at {_times(repeat.end_s for repeat in gesture.repeats)} s"
+        what = "swings on, until" if gesture.repeats[0].swings else "strokes again on the emphases at"
+        yield f"{what} {_times(repeat.end_s for repeat in gesture.repeats)} s"
     asked_s = [gesture.stroke_end_s + after_s for after_s in gesture.request.after_strokes_s or ()]
     made_s = {round(repeat.end_s, 3) for repeat in gesture.repeats}
     missing_s = [end_s for end_s in asked_s if round(end_s, 3) not in made_s]
@@ -101,17 +124,25 @@ def _times(times_s: Iterable[float]) -> str:
 
 
 def repeats_until_s(placed: PlacedGesture, later: Iterable[PlacedGesture], setting: TransitionContext) -> float:
-    """How long a gesture may be repeated: until the end of its phrase, unless its strokes are asked for, or until an
-    arm leaves for its next gesture."""
-    asked = placed.request.after_strokes_s is not None
-    phrase = None if asked else setting.phrase_of(placed.request.stroke_s)
+    """How long a gesture may be repeated: until the end of its phrase, unless its strokes are asked for or it waves, or
+    until an arm leaves for its next gesture."""
+    whole = placed.request.after_strokes_s is not None or waves(placed.clip)
+    phrase = None if whole else setting.phrase_of(placed.request.stroke_s)
     ends_s = [inf if phrase is None else setting.phrases[phrase].end_s]
     following = list(later)
     for side in placed.arms:
         second = next((each for each in following if side in each.arms), None)
         if second is not None:
-            ends_s.append(second.stroke_start_s - transition_s(placed, second, side))
+            ends_s.append(second.stroke_start_s - _way_on_s(placed, second, side))
     return min(ends_s)
+
+
+def _way_on_s(placed: PlacedGesture, second: PlacedGesture, side: Hand) -> float:
+    """The time in which an arm goes on to its next gesture: in no haste, but after a wave, which is nothing without its
+    swings."""
+    if waves(placed.clip):
+        return shortest_transition_s(way_m(placed, second, side), stroke_speed_m_s(second))
+    return transition_s(placed, second, side)
 
 
 def let_go_in_time(placed: PlacedGesture, holds: Holds) -> PlacedGesture:
@@ -129,14 +160,15 @@ def with_beats(
 ) -> ArmGesture:
     """The gesture with repetitions in its hold: on the emphases in it, or else at even steps; an arm
     that does not lead makes them `lag_s` later."""
-    start_s, relax_s = _held_from_s(arm.placed), arm.markers.relax
+    start_s = _held_from_s(arm.placed) + (SEEN_S if arm.placed.request.slots else 0.0)
+    relax_s = arm.markers.relax
     step_s, (least_m, most_m) = max(SHORTEST_SPACING_S, float(rng.uniform(*holds.spacing_s))), holds.way_m
     ends_s = list(_spaced((each + lag_s for each in sorted(emphases_s)), start_s, relax_s - AFTER_S))
     ends_s = ends_s or list(_spaced(np.arange(start_s + step_s, relax_s, step_s), start_s, relax_s - AFTER_S))
     ways_m = arm.placed.share * np.linspace(most_m, least_m, len(ends_s))
     last_s, beats = start_s, []
-    for end_s, way_m in zip(ends_s, ways_m, strict=True):
-        beats.append(Repeat(max(last_s, end_s - LONGEST_BEAT_S), float(end_s), 0.0, float(way_m)))
+    for end_s, back_m in zip(ends_s, ways_m, strict=True):
+        beats.append(Repeat(max(last_s, end_s - LONGEST_BEAT_S), float(end_s), 0.0, float(back_m)))
         last_s = end_s
     return replace(arm, beats=tuple(beats))
 

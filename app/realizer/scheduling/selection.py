@@ -22,6 +22,7 @@ from ..body.motion import Decision
 from ..gestures.brief_strokes import brief, mannered
 from ..gestures.gesture import Clip
 from ..gestures.gesture_plan import USUAL_MANNER, AskedTimes, GestureRequest, PlacedGesture
+from ..gestures.waves import last_swing, waves
 
 _ROUNDING_S = 0.002
 """A stroke that is before the first frame by no more is not late: times of schedules are whole milliseconds."""
@@ -97,7 +98,9 @@ def in_the_time(clip: Clip, request: GestureRequest) -> Clip:
     else:
         clip = mannered(clip, replace(request.manner, speed=1.0))
     stroke_s = clip.markers.stroke_end - clip.markers.stroke_start
-    return brief(clip) if is_brief(stroke_s, request.longest_stroke_s) else clip
+    if not is_brief(stroke_s, request.longest_stroke_s):
+        return clip
+    return last_swing(clip) if waves(clip) else brief(clip)
 
 
 def fits(clip: Clip, request: GestureRequest) -> bool:

@@ -24,7 +24,7 @@ COUNTING = frozenset({"COUNT", "COUNT_FIRST", "COUNT_NEXT", *NUMBERS})
 PLACES = MappingProxyType(
     {"HERE": "THERE", "UP": "THERE", "DOWN": "THERE", "LEFT": "POINT_LEFT", "RIGHT": "POINT_RIGHT"}
 )
-"""What shows a place, where the words name a thing that is there, by the gesture that points at it."""
+"""What shows a place, where the words say what or where it is, by the gesture that points at it."""
 
 _MOMENT_S = 0.001
 _HIGH_M = 1.25
@@ -45,9 +45,14 @@ def category_shown(request: GestureRequest) -> tuple[str, Hand]:
         return _sized(slots.size_m, lexeme, hand)
     if slots.count is not None and lexeme in COUNTING:
         return (NUMBERS[slots.count - 1], one_hand) if slots.count <= len(NUMBERS) else (NUMBERS[-1], Hand.BOTH)
-    if lexeme in PLACES and request.target is None and slots.referent is not None:
+    if lexeme in PLACES and request.target is None and _is_somewhere(slots):
         return PLACES[lexeme], one_hand
     return lexeme, hand
+
+
+def _is_somewhere(slots: Slots) -> bool:
+    """Whether the words name a thing, or say both how far away and how high something is: "up there"."""
+    return slots.referent is not None or (slots.distance is not None and slots.elevation_deg is not None)
 
 
 def _sized(size_m: float, lexeme: str, hand: Hand) -> tuple[str, Hand]:

@@ -165,21 +165,33 @@ def _stretched_fingers(found: Shown, side: str, frame: int) -> list[str]:
     return [name for name in names if away_m[name] > 0.115]
 
 
+@pytest.mark.parametrize("level", list(Level))
 @pytest.mark.parametrize("lexeme", ["GREETING", "FAREWELL"])
-def test_a_raised_hand_waves(realizer: Realizer, lexeme: str) -> None:
-    """At least two reversals of 10 cm of the fingertips, in one of its forms at least."""
-    wave = gesture(lexeme, None, 1.8)
-    swings = []
-    for seed in range(4):
-        motion = realize(realizer, Schedule((wave,), 5.0), seed=seed)
-        at_m, _turned = forward(realizer.skeleton, motion.body.rotations, motion.body.hips_m)
-        sync = motion.realized[wave.id]
-        assert sync.stroke_start is not None
-        assert sync.stroke_end is not None
-        rows = slice(round(sync.stroke_start * RATE_HZ), round((sync.stroke_end + 0.1) * RATE_HZ))
-        aside_m = at_m[rows, realizer.skeleton.index["rightMiddleDistal"], 0]
-        swings.append(_swings(aside_m, 0.10))
-    assert max(swings) >= 3
+@pytest.mark.parametrize("stroke_s", [0.45, 1.8])
+def test_a_raised_hand_waves(realizer: Realizer, lexeme: str, stroke_s: float, level: Level) -> None:
+    """At least two reversals of 10 cm of the fingertips in each of its forms, on the first word too."""
+    sync = SyncPoints(0.1, stroke_start=stroke_s - 0.2, stroke=stroke_s, stroke_end=stroke_s + 0.1, end=stroke_s + 0.6)
+    for wave in (replace(gesture(lexeme, None, stroke_s), sync=sync), gesture(lexeme, None, stroke_s)):
+        for seed in range(3):
+            motion = realize(realizer, Schedule((wave,), 5.0, agitation=level), seed=seed)
+            at_m, _turned = forward(realizer.skeleton, motion.body.rotations, motion.body.hips_m)
+            made = motion.realized[wave.id]
+            assert made.stroke_start is not None
+            assert made.relax is not None
+            rows = slice(round(made.stroke_start * RATE_HZ), round((made.relax + 0.1) * RATE_HZ))
+            aside_m = at_m[rows, realizer.skeleton.index["rightMiddleDistal"], 0]
+            assert _swings(aside_m, 0.10) >= 3
+
+
+@pytest.mark.parametrize("level", list(Level))
+def test_who_is_taller_is_over_the_crown_soon_after_another_gesture_too(realizer: Realizer, level: Level) -> None:
+    """Where the whole stroke would begin before the hand is there, a shorter one comes in time."""
+    there = gesture("POINT_FRONT", None, 0.8)
+    sync = SyncPoints(1.4, stroke=1.75, relax=2.1, end=2.6)
+    taller = replace(gesture("HEIGHT_HIGH", Slots(height=Tall.OVER_HEAD, height_m=1.9), 1.75), sync=sync)
+    found = shown(realizer, replace(there, sync=replace(there.sync, relax=1.0)), taller, level=level)
+    frame = found.at_end(taller)
+    assert found.joint_m("rightMiddleProximal", frame)[1] > found.crown_m(frame)
 
 
 def _swings(aside_m: FloatArray, least_m: float) -> int:
