@@ -1,4 +1,4 @@
-/** The names above the heads of those who stand on the stage, where there are several. */
+/** The names above the heads of those who stand on the stage, where there are several; below them where there is no room. */
 
 import { el } from "../dom.js";
 
@@ -9,6 +9,8 @@ import { el } from "../dom.js";
 /** Whom a tag is on; `edited` for the version that is changed. @typedef {Readonly<{ name: string, edited: boolean, figure: Figure }>} Named */
 
 const ABOVE_M = 0.32;
+/** With less room than this above a head its name would hide the face. */
+const LEAST_ROOM_PX = 18;
 
 export class NameTags {
   element = el("div", { class: "name-tags" });
@@ -18,6 +20,7 @@ export class NameTags {
    * @param {PerspectiveCamera} camera
    */
   show(named, camera) {
+    const height_px = named.length > 0 ? (this.element.parentElement?.clientHeight ?? 0) : 0;
     const tags = named.flatMap(({ name, edited, figure }) => {
       const place = figure.place("head");
       if (!place) {
@@ -26,7 +29,8 @@ export class NameTags {
       const { x, y } = place.setY(place.y + ABOVE_M).project(camera);
       const tag = el("span", { class: edited ? "name-tag edited" : "name-tag" }, [name]);
       tag.style.left = `${String(50 + 50 * x)}%`;
-      tag.style.top = `max(var(--control), ${String(50 - 50 * y)}%)`;
+      const isRoom = (0.5 - 0.5 * y) * height_px >= LEAST_ROOM_PX;
+      tag.style.top = isRoom ? `max(var(--control), ${String(50 - 50 * y)}%)` : "calc(100% - .2rem)";
       return [tag];
     });
     this.element.replaceChildren(...tags);
