@@ -205,9 +205,13 @@ def load_characters() -> Characters:
     """The current behaviour table and characters; raises AuthoringError with every mistake in them."""
     from .behavior.characters.overlays import Characters
 
+    folder = lexicon_folder()
+    return Cache.of_environment().kept("characters", _character_files(), lambda: Characters.load(folder))
+
+
+def _character_files() -> list[Path]:
     lexicon = lexicon_folder()
-    files = [*tables_of(lexicon / "behaviors.yaml"), *_authored(lexicon / "characters")]
-    return Cache.of_environment().kept("characters", files, lambda: Characters.load(lexicon))
+    return [*tables_of(lexicon / "behaviors.yaml"), *_authored(lexicon / "characters")]
 
 
 def load_families(characters: Characters) -> Families:
@@ -215,14 +219,17 @@ def load_families(characters: Characters) -> Families:
     from .behavior.reading.families import load_families as load
     from .model import DEFAULT_CHARACTER
 
-    return load(lexicon_folder() / "acting" / "families.yaml", characters.named(DEFAULT_CHARACTER).entries)
+    path, entries = lexicon_folder() / "acting" / "families.yaml", characters.named(DEFAULT_CHARACTER).entries
+    files = [*tables_of(path), *_character_files()]
+    return Cache.of_environment().kept("families", files, lambda: load(path, entries))
 
 
 def load_slots(families: Families) -> SlotTable:
     """What words say of size and place; raises AuthoringError with every mistake in the file."""
     from .behavior.slots.table import SlotTable
 
-    return SlotTable.load(lexicon_folder() / "acting" / "slots.yaml", families.shows)
+    path, shows = lexicon_folder() / "acting" / "slots.yaml", families.shows
+    return Cache.of_environment().kept("slots", [path], lambda: SlotTable.load(path, shows), made_with=str(shows))
 
 
 def load_mapping_rules(behavior_names: Collection[str]) -> MappingRules:
@@ -247,13 +254,14 @@ def load_gestures() -> Library:
 
 def load_gesture_table(lexemes: Collection[str]) -> GestureTable:
     """What the scheduler needs to know of the gestures with these lexemes; raises as `load_gestures` does."""
-    from .realizer.scheduling.gesture_table import gesture_table
+
+    def made() -> GestureTable:
+        from .realizer.scheduling.gesture_table import gesture_table
+
+        return gesture_table(load_gestures(), lexemes)
 
     folder, names = lexicon_folder() / "gestures", " ".join(sorted(lexemes))
-    cache = Cache.of_environment()
-    return cache.kept(
-        "gesture_table", _authored(folder), lambda: gesture_table(load_gestures(), lexemes), made_with=names
-    )
+    return Cache.of_environment().kept("gesture_table", _authored(folder), made, made_with=names)
 
 
 def profile_names() -> tuple[str, ...]:

@@ -46,7 +46,7 @@ class _Place(Protocol):
 class Entry(BaseModel):
     """Base of every schema of authored files: frozen, unknown keys are refused."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid")
+    model_config = ConfigDict(defer_build=True, frozen=True, extra="forbid")
 
 
 class Source:

@@ -14,7 +14,6 @@ from ..options import Options
 from ..performance import PerformedLine, perform_analysis, perform_line
 from ..performance import analyze as analyze_line
 from ..performance import perform as _perform
-from ..schemas.edits import read_edits
 from ..schemas.options import check_options
 from ..schemas.requests import spoken_line
 from ..settings import Settings, read_settings
@@ -96,8 +95,7 @@ def perform(
     fields: dict[str, Any] = {**options}
     reference = fields.pop("reference", None)
     line = replace(line_of(audio, text, words, functions), direction=direction)
-    made = edits if isinstance(edits, Edits) else read_edits(content_of(edits))
-    return _perform(models, line, replace(check_options(fields), reference=reference).with_edits(made))
+    return _perform(models, line, replace(check_options(fields), reference=reference).with_edits(_edits(edits)))
 
 
 def say(
@@ -120,8 +118,7 @@ def say(
     fields: dict[str, Any] = {**options}
     reference = fields.pop("reference", None)
     line = spoken_line(text, timings_of(words), tuple(functions), direction)
-    made = edits if isinstance(edits, Edits) else read_edits(content_of(edits))
-    return _perform(models, line, replace(check_options(fields), reference=reference).with_edits(made))
+    return _perform(models, line, replace(check_options(fields), reference=reference).with_edits(_edits(edits)))
 
 
 def analyze(
@@ -136,3 +133,12 @@ def analyze(
     """The analysis of a line before any movement is chosen: prosody, words, communicative functions (§3.1 to §3.3).
     Arguments and errors are those of `perform`."""
     return analyze_line(models, line_of(audio, text, words, functions), Options(reference=reference))
+
+
+def _edits(given: FileSource | Edits) -> Edits:
+    """The edits, read if they are a file; raises InputError for what cannot be read."""
+    if isinstance(given, Edits):
+        return given
+    from ..schemas.edits import read_edits
+
+    return read_edits(content_of(given))

@@ -15,7 +15,6 @@ from ..model.formats import BmlForm, DialectName, TimeForm, VisemeNames
 from ..model.lead_in import with_lead_in
 from ..schemas.options import check_options
 from ..schemas.response_model import ResponseModel
-from ..schemas.responses import AlignResponse, AnalysisResponse, FunctionsResponse, PerformanceResponse
 
 __all__ = [
     "BmlFiles",
@@ -131,6 +130,8 @@ def _aligned(found: Performance | Analysis | AlignedLine) -> AlignedLine:
 
 
 def _response(found: Performance | Analysis | AlignedLine) -> ResponseModel:
+    from ..schemas.responses import AlignResponse, AnalysisResponse, FunctionsResponse, PerformanceResponse
+
     match found:
         case Performance():
             return PerformanceResponse.of_performance(found)

@@ -27,7 +27,7 @@ Priority = Annotated[float, Field(gt=0, le=100)]
 class Priorities(RootModel[Mapping[str, Mapping[str, Priority]]]):
     """The table: class to subtype to priority; higher is more important."""
 
-    model_config = ConfigDict(frozen=True)
+    model_config = ConfigDict(defer_build=True, frozen=True)
 
     @classmethod
     def load(cls, path: Path) -> "Priorities":

@@ -46,7 +46,7 @@ _Avoided = Annotated[str, Field(json_schema_extra={"enum": sorted({*AVOIDABLE, N
 
 
 class _NoteForm(BaseModel):
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+    model_config = ConfigDict(defer_build=True, frozen=True, extra="forbid", strict=True)
 
 
 class DirectedMomentRequest(_NoteForm):

@@ -69,7 +69,7 @@ _Second = Annotated[float, Field(ge=0, le=36_000, allow_inf_nan=False)]
 
 
 class _EditForm(BaseModel):
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, from_attributes=True)
+    model_config = ConfigDict(defer_build=True, frozen=True, extra="forbid", strict=True, from_attributes=True)
 
 
 class WordReferenceForm(_EditForm):

@@ -28,7 +28,7 @@ _Seconds = Annotated[float, Field(allow_inf_nan=False, strict=False)]
 
 
 class _Message(BaseModel):
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+    model_config = ConfigDict(defer_build=True, frozen=True, extra="forbid", strict=True)
 
 
 class StartMessage(_Message):

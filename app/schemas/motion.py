@@ -76,7 +76,7 @@ class ClipResponse(ResponseModel):
 class AvatarPoseOptions(BaseModel):
     """Which pose to read from a file with animations: by default the beginning of the first animation."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
+    model_config = ConfigDict(defer_build=True, frozen=True, extra="forbid", strict=True, allow_inf_nan=False)
 
     animation: Annotated[str | None, Field(description="Its name in the file.")] = None
     time_s: Annotated[float, Field(description="Seconds from the animation's beginning.")] = 0.0

@@ -64,7 +64,7 @@ def field_of(option: Option) -> Any:  # noqa: ANN401 - what pydantic's own Field
 class PerformOptions(BaseModel):
     """How a line is performed, with the names of the command line's options."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+    model_config = ConfigDict(defer_build=True, frozen=True, extra="forbid", strict=True)
 
     character: str = field_of(PERFORMANCE["character"])
     agitation: LevelName | None = field_of(PERFORMANCE["agitation"])
@@ -107,7 +107,7 @@ class PerformOptions(BaseModel):
 class RealizeOptions(BaseModel):
     """How BML is played, with the names of the command line's options."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+    model_config = ConfigDict(defer_build=True, frozen=True, extra="forbid", strict=True)
 
     agitation: LevelName | None = field_of(MOTION["agitation"])
     character: str | None = field_of(MOTION["character"])

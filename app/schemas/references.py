@@ -14,7 +14,7 @@ Numbers = Annotated[list[Annotated[float, Field(allow_inf_nan=False)]], Field(mi
 class ReferenceForm(BaseModel):
     """Mean and deviation of each feature over `recordings` recordings of one speaker."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+    model_config = ConfigDict(defer_build=True, frozen=True, extra="forbid", strict=True)
 
     features: Literal["paper", "full"]
     recordings: Annotated[int, Field(ge=1, le=1_000_000)]

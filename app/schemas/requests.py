@@ -44,7 +44,7 @@ MOST_WRONG = 5
 class FunctionsRequest(BaseModel):
     """A text to analyse; other keys are ignored."""
 
-    model_config = ConfigDict(frozen=True, strict=True)
+    model_config = ConfigDict(defer_build=True, frozen=True, strict=True)
 
     id: Annotated[str | int | None, Field(description="Returned as sent.")] = None
     text: Annotated[
@@ -193,7 +193,7 @@ Position = Annotated[int, Field(ge=0)]
 class GivenFunctionRequest(BaseModel):
     """One supplied function, with the field names of the responses."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", strict=True)
+    model_config = ConfigDict(defer_build=True, frozen=True, extra="forbid", strict=True)
 
     class_name: str = Field(alias="class")
     subtype: str = ""

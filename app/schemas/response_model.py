@@ -34,7 +34,9 @@ def _open(schema: JsonDict) -> None:
 class ResponseModel(BaseModel):
     """Base class of all responses."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", from_attributes=True, json_schema_extra=_open)
+    model_config = ConfigDict(
+        defer_build=True, frozen=True, extra="forbid", from_attributes=True, json_schema_extra=_open
+    )
 
     def to_json(self, indent: int | None = None) -> bytes:
         """The response as UTF-8 JSON without a final line break; on one line unless `indent` is given."""

@@ -17,9 +17,9 @@ whole number of frame shifts long, so that maxima per shift need no loop over fr
 from collections.abc import Iterator
 
 import numpy as np
-import scipy
 
 from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, SingleArray, VoiceQuality
+from ..signal.fourier import dct1, irfft, rfft
 from ..signal.frames import SHIFT_SAMPLES, blocks_of_frames, frame_count
 
 LEAST_RANGE = 1e-10
@@ -57,7 +57,7 @@ def voice_quality(audio: Audio, f0_hz: FloatArray) -> VoiceQuality:
 
 def _power(frames: SingleArray) -> SingleArray:
     """The power spectrum of each frame (frames × frequencies)."""
-    power: SingleArray = np.abs(scipy.fft.rfft(frames * _HANN, _FFT))
+    power: SingleArray = np.abs(rfft(frames * _HANN, _FFT))
     np.square(power, out=power)
     power += LEAST_RANGE * np.maximum(power.max(axis=1, keepdims=True), _LEAST_POWER)
     return power
@@ -66,7 +66,7 @@ def _power(frames: SingleArray) -> SingleArray:
 def _harmonicity_db(power: SingleArray, f0_hz: FloatArray) -> FloatArray:
     voiced = f0_hz > 0
     near = np.rint(SAMPLE_RATE_HZ / np.maximum(f0_hz[voiced, None], _LOWEST_F0_HZ)).astype(int) + _LAGS_ASIDE
-    autocorrelation = scipy.fft.dct(power[voiced], type=1)
+    autocorrelation = dct1(power[voiced])
     likeness = np.take_along_axis(autocorrelation, near, axis=1) / autocorrelation[:, :1] / _WINDOW_LIKENESS[near]
     periodic = np.full(len(f0_hz), _LEAST_PERIODIC)
     periodic[voiced] = np.clip(likeness.max(axis=1), _LEAST_PERIODIC, _MOST_PERIODIC)
@@ -77,7 +77,7 @@ def _harmonicity_db(power: SingleArray, f0_hz: FloatArray) -> FloatArray:
 def _cepstral_peak_db(power: SingleArray) -> FloatArray:
     decibels = np.log10(power[:, ::2])
     decibels *= 10 / (_FFT // 2)
-    cepstrum = scipy.fft.dct(decibels, type=1, overwrite_x=True)[:, _SHORTEST_PERIOD : _LONGEST_PERIOD + 1]
+    cepstrum = dct1(decibels)[:, _SHORTEST_PERIOD : _LONGEST_PERIOD + 1]
     level_db = 20 * np.log10(np.maximum(np.abs(cepstrum), 1e-6))
     centred = np.arange(level_db.shape[1]) - (level_db.shape[1] - 1) / 2
     slope = np.sum(level_db * centred, axis=1) / np.sum(centred**2)
@@ -139,11 +139,11 @@ def _greatest(samples: FloatArray) -> Iterator[SingleArray]:
     stretches = 1 + (frame_count(len(samples)) + _SHIFTS // 2) // _SHIFTS
     blocks = blocks_of_frames(samples, _STRETCH + 2 * _REACH, stretches, shift=_STRETCH)
     for block, signals in blocks:
-        spectra = scipy.fft.rfft(signals, _PEAK_FFT)
+        spectra = rfft(signals, _PEAK_FFT)
         greatest = np.empty((len(signals) * _SHIFTS, _OCTAVES), dtype=np.float32)
         first = block.start * _STRETCH - _STRETCH // 2
         for octave, response in enumerate(responses):
-            band = np.abs(scipy.fft.irfft(spectra * response, _PEAK_FFT)[:, _REACH : _REACH + _STRETCH]).ravel()
+            band = np.abs(irfft(spectra * response, _PEAK_FFT)[:, _REACH : _REACH + _STRETCH]).ravel()
             band[: max(-first, 0)] = 0  # ignore the filters' ringing outside the signal
             band[max(len(samples) - first, 0) :] = 0
             greatest[:, octave] = band.reshape(-1, SHIFT_SAMPLES).max(axis=1)
@@ -152,9 +152,9 @@ def _greatest(samples: FloatArray) -> Iterator[SingleArray]:
 
 def _wavelet_responses() -> SingleArray:
     """The frequency responses of the wavelets centred on 8 kHz, 4 kHz … (octaves × frequencies)."""
-    time = scipy.fft.fftfreq(_PEAK_FFT, 1 / _PEAK_FFT)
+    time = np.fft.fftfreq(_PEAK_FFT, 1 / _PEAK_FFT)
     half_periods = 2.0 ** np.arange(_OCTAVES)[:, None]
     wavelets = -np.cos(np.pi * time / half_periods) * np.exp(-((time / half_periods) ** 2) / 2)
     wavelets[np.abs(time) > 5 * half_periods] = 0
-    responses: SingleArray = scipy.fft.rfft(wavelets).real.astype(np.float32)
+    responses: SingleArray = rfft(wavelets).real.astype(np.float32)
     return responses

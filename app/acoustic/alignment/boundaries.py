@@ -25,12 +25,12 @@ from pathlib import Path
 from typing import Self
 
 import numpy as np
-import scipy
 from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from ...errors import ServiceError
 from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, Interval, Phone, SingleArray, Word
+from ..signal.fourier import rfft
 from ..signal.frames import product
 from ..signal.spectrum import mel_filters
 
@@ -261,7 +261,7 @@ def _frames(samples: FloatArray, first: int, end: int) -> FloatArray:
 
 def _log_mel(frames: FloatArray) -> SingleArray:
     """Log Mel energies in single precision, at half the cost."""
-    power = np.abs(scipy.fft.rfft(frames.astype(np.float32, copy=False) * _WINDOW))
+    power = np.abs(rfft(frames.astype(np.float32, copy=False) * _WINDOW))
     np.square(power, out=power)
     power += _NOISE_POWER
     return np.log(product(power, _filters()))

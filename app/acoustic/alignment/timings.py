@@ -44,7 +44,7 @@ _STRESSED = re.compile(r"([A-Z]+)([012])")
 
 
 class _TimedPhone(BaseModel):
-    model_config = ConfigDict(extra="ignore", frozen=True)
+    model_config = ConfigDict(defer_build=True, extra="ignore", frozen=True)
 
     label: str
     start_s: float
@@ -53,7 +53,7 @@ class _TimedPhone(BaseModel):
 
 
 class _TimedWord(BaseModel):
-    model_config = ConfigDict(extra="ignore", frozen=True)
+    model_config = ConfigDict(defer_build=True, extra="ignore", frozen=True)
 
     text: str
     start_s: float | None = None
@@ -64,7 +64,7 @@ class _TimedWord(BaseModel):
 class _SpeechMark(BaseModel):
     """A mark of Amazon Polly's kind, `time` in milliseconds."""
 
-    model_config = ConfigDict(extra="ignore", frozen=True)
+    model_config = ConfigDict(defer_build=True, extra="ignore", frozen=True)
 
     time: Annotated[float, Field(ge=0)]
     type: str
@@ -72,7 +72,7 @@ class _SpeechMark(BaseModel):
 
 
 class _TimedFiller(BaseModel):
-    model_config = ConfigDict(extra="ignore", frozen=True)
+    model_config = ConfigDict(defer_build=True, extra="ignore", frozen=True)
 
     text: str
     start_s: Annotated[float, Field(ge=0)]
@@ -82,7 +82,7 @@ class _TimedFiller(BaseModel):
 class _TimedWords(BaseModel):
     """The parts of the JSON of `align` that are read."""
 
-    model_config = ConfigDict(extra="ignore", frozen=True)
+    model_config = ConfigDict(defer_build=True, extra="ignore", frozen=True)
 
     words: Annotated[tuple[_TimedWord, ...], FailFast(), Field(max_length=MOST_WORDS)]
     fillers: Annotated[tuple[_TimedFiller, ...], FailFast(), Field(max_length=MOST_WORDS)] = ()

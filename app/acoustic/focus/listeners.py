@@ -13,11 +13,11 @@ from pathlib import Path
 from typing import Any, Protocol
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
 from ...errors import ServiceError
 from ...model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, FloatArray, Interval, SingleArray, Word
+from ..signal.fourier import rfft
 from ..signal.frames import SHIFT_SAMPLES, blocks_of_frames, product
 from ..signal.spectrum import mel_filters
 
@@ -90,7 +90,7 @@ def _levels(audio: Audio) -> SingleArray:
     bands = filters.T.astype(np.float32, order="C")
     levels = np.empty((max(len(samples) // SHIFT_SAMPLES, 1), BANDS), np.float32)
     for block, frames in blocks_of_frames(samples, WINDOW_SAMPLES, len(levels), centre=SHIFT_SAMPLES // 2):
-        power = np.square(np.abs(scipy.fft.rfft(frames * (gain * _HANN).astype(np.float32))))
+        power = np.square(np.abs(rfft(frames * (gain * _HANN).astype(np.float32))))
         levels[block] = np.log(np.maximum(product(np.sqrt(power + _LEAST_POWER), bands), _LEAST_BAND))
     return levels
 

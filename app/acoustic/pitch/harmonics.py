@@ -22,10 +22,10 @@ Here are also the peaks of a curve, and the best path through candidates from fr
 from collections.abc import Iterator
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
 from ...model import SAMPLE_RATE_HZ, FloatArray, SingleArray
+from ..signal.fourier import irfft, rfft
 from ..signal.frames import SHIFT_SAMPLES, blocks_of_frames, frame_count, product
 
 
@@ -115,7 +115,7 @@ def summed_harmonics(
         for first in range(0, len(residual), _AT_ONCE):
             some = residual[first : first + _AT_ONCE]
             np.multiply(some, window, out=padded[: len(some), : len(window)])
-            spectra = scipy.fft.rfft(padded[: len(some)])[:, : amplitudes.shape[1]]
+            spectra = rfft(padded[: len(some)])[:, : amplitudes.shape[1]]
             np.abs(spectra, out=amplitudes[first : first + _AT_ONCE])
         yield block, _eq_3(amplitudes)
 
@@ -179,12 +179,12 @@ def prediction_residual(samples: FloatArray, *, decimation: int = 1) -> SingleAr
 
 def _inversely_filtered(frames: SingleArray, length: int) -> SingleArray:
     """Each frame windowed and filtered by its own prediction error filter, in `length` samples (frames × length)."""
-    spectra = scipy.fft.rfft(frames * _HANN, _FFT)
+    spectra = rfft(frames * _HANN, _FFT)
     filters = _prediction_error_filters(product(_power(spectra), _CORRELATING).T.copy())
     kept = length // 2 + 1
     responses = product(filters.T, _TURNS.view(np.float64)[:, : 2 * kept]).view(np.complex128)
     responses *= spectra[:, :kept]
-    filtered: SingleArray = scipy.fft.irfft(responses.astype(np.complex64), length)
+    filtered: SingleArray = irfft(responses.astype(np.complex64), length)
     filtered *= length / _FFT
     return filtered
 

@@ -18,10 +18,10 @@ from dataclasses import dataclass
 from itertools import accumulate
 
 import numpy as np
-import scipy
 from numpy.typing import NDArray
 
 from ...model import SAMPLE_RATE_HZ, FloatArray, SingleArray
+from ..signal.fourier import rfft
 from ..signal.frames import BLOCK, blocks_of_frames, frame_count, product
 from .harmonics import peak_offsets
 
@@ -128,7 +128,7 @@ def band_power(samples: FloatArray) -> SingleArray:
     """The power spectrum of each frame within the band (frames × frequencies)."""
     power = np.empty((frame_count(len(samples)), _LAST_BIN + 1 - _FIRST_BIN), dtype=np.float32)
     for block, frames in blocks_of_frames(samples, _WINDOW, len(power)):
-        spectra = scipy.fft.rfft(frames * _HANN, _FFT)[:, _FIRST_BIN : _LAST_BIN + 1]
+        spectra = rfft(frames * _HANN, _FFT)[:, _FIRST_BIN : _LAST_BIN + 1]
         power[block] = np.square(np.abs(spectra))
     return power
 

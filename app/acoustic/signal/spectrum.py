@@ -15,10 +15,10 @@ from functools import cache
 from importlib.metadata import version
 
 import numpy as np
-import scipy
 
 from ...cache import Cache
 from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, Notice, SingleArray
+from .fourier import rfft
 from .frames import blocks_of_frames, frame_count, product
 
 FRAME_SAMPLES = round(0.032 * SAMPLE_RATE_HZ)
@@ -75,7 +75,7 @@ def mel_db(audio: Audio, *, min_hz: float = MEL_MIN_HZ) -> SingleArray:
     bands = filters.T.astype(np.float32, order="C")
     levels_db = np.empty((frame_count(len(audio.samples)), MEL_BANDS), dtype=np.float32)
     for block, frames in blocks_of_frames(audio.samples, FRAME_SAMPLES, len(levels_db)):
-        power = np.square(np.abs(scipy.fft.rfft(frames * _HANN)))
+        power = np.square(np.abs(rfft(frames * _HANN)))
         levels_db[block] = 10 * np.log10(np.maximum(product(power, bands), _LEAST_POWER))
     return levels_db
 

@@ -18,6 +18,7 @@ from dataclasses import replace
 from typing import Never
 
 import numpy as np
+from pydantic import BaseModel
 
 from ...authoring.catalogue import Catalogue, ItemKind
 from ...authoring.inspection import read_again
@@ -90,8 +91,8 @@ def _obey(control: socket.socket, models: LiveModels, turns: int, idle_s: float 
 
 
 def _warm(models: LiveModels) -> None:
-    """Performs and realizes the bundled line, and streams its beginning live, so that workers inherit whatever is
-    loaded lazily; then freezes all objects, for garbage collection would write to every shared page."""
+    """Performs and realizes the bundled line, streams its beginning live and builds all schemas, so that workers
+    inherit what is loaded lazily; then freezes all objects, since garbage collection would write to shared pages."""
     import scipy.optimize  # noqa: F401  # for lines with a profile, which this one does without
 
     examples = resource_folder("examples")
@@ -100,8 +101,17 @@ def _warm(models: LiveModels) -> None:
     realize(models.understudy, performed.performance, fps=30)
     _listen_to(models, sound, text)
     models.understudy.close()
+    _build_schemas(BaseModel)
     gc.collect()
     gc.freeze()
+
+
+def _build_schemas(base: type[BaseModel]) -> None:
+    """Builds the pydantic schemas of our classes with that base, which otherwise are built on first use."""
+    for schema in base.__subclasses__():
+        if schema.__module__.startswith("understudy."):
+            schema.model_rebuild()
+        _build_schemas(schema)
 
 
 def _listen_to(models: LiveModels, sound: bytes, text: str) -> None:

@@ -17,7 +17,6 @@ from ...library.writing import speech_file_name, write_bml_files, write_bml_json
 from ...model import PLAIN, AffectTrack, Analysis, Behavior, Function, Line, Performance
 from ...model.formats import BmlForm, is_editorial
 from ...options import Options
-from ...schemas.gestures.script import script_json
 from ...schemas.options import listener_names
 from ...settings import Settings, read_settings
 from ..files import STANDARD, OutputName, require_distinct, require_writable, write
@@ -202,6 +201,7 @@ def script(arguments: argparse.Namespace, log: Log) -> int:
     check_line(line, settings)
     from ...library.performing import perform_line
     from ...models import Understudy  # imported late: arguments are checked before the models load
+    from ...schemas.gestures.script import script_json
 
     with Understudy.load(settings) as understudy:
         performed = perform_line(understudy, line, options, log.stage)

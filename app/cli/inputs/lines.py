@@ -1,7 +1,8 @@
 """Converts the arguments that several commands share to the input and the options of a performance.
 
 `--affect` is a tone, three numbers, or a track in a CSV file; a gesture profile is a name in the lexicon, or a file
-that ends in .yaml.
+that ends in .yaml. The schemas of what few lines have are imported where they are needed: each takes a hundredth of a
+second.
 """
 
 import argparse
@@ -15,9 +16,6 @@ from ...model.targets import read_targets
 from ...models import load_characters, load_profile, usable_profile
 from ...options import Options
 from ...profiles.profile import Profile
-from ...schemas.affect import read_affect, read_affect_track
-from ...schemas.direction import read_direction
-from ...schemas.edits import read_edits
 from ...schemas.options import listener_characters, listener_names
 from ...schemas.requests import read_functions, read_timings, spoken_line
 from ...settings import Settings
@@ -77,6 +75,8 @@ def optional_affect(told: str | None) -> AffectTrack | None:
     """
     if told is None:
         return None
+    from ...schemas.affect import read_affect, read_affect_track
+
     if not told.lower().endswith(".csv"):
         return read_affect(told)
     return read_affect_track(read_bytes(told, limit=LARGEST_TRACK_BYTES, field="affect"), told)
@@ -121,6 +121,8 @@ def edits_of(arguments: argparse.Namespace, settings: Settings) -> Edits:
     """The edits of `--edits`; raises InputError for what cannot be read."""
     if arguments.edits is None:
         return NO_EDITS
+    from ...schemas.edits import read_edits
+
     return read_edits(read_bytes(arguments.edits, limit=settings.part_limits["edits"], field="edits"))
 
 
@@ -139,4 +141,6 @@ def _functions(name: str, settings: Settings) -> tuple[GivenFunction, ...]:
 
 
 def _direction(name: str, settings: Settings) -> Direction:
+    from ...schemas.direction import read_direction
+
     return read_direction(read_bytes(name, limit=settings.max_body_bytes, field="direction"))

@@ -82,7 +82,7 @@ def _seconds(said: str, name: str) -> float:
 
 
 class _SpanForm(BaseModel):
-    model_config = ConfigDict(extra="allow", frozen=True)
+    model_config = ConfigDict(defer_build=True, extra="allow", frozen=True)
     __pydantic_extra__: dict[str, str | int | None]
 
     start_s: Annotated[float, Field(allow_inf_nan=False)]
@@ -90,7 +90,7 @@ class _SpanForm(BaseModel):
 
 
 class _TracksFile(BaseModel):
-    model_config = ConfigDict(frozen=True)
+    model_config = ConfigDict(defer_build=True, frozen=True)
 
     tracks: dict[str, list[_SpanForm]]
 

@@ -41,7 +41,7 @@ Shares: TypeAlias = Annotated[tuple[Share, Share], AfterValidator(_rising)]
 SecondsRange: TypeAlias = Annotated[tuple[Seconds, Seconds], AfterValidator(_rising)]
 MetresRange: TypeAlias = Annotated[tuple[Metres, Metres], AfterValidator(_rising)]
 
-_STRICT = ConfigDict(extra="forbid")
+_STRICT = ConfigDict(defer_build=True, extra="forbid")
 
 
 @dataclass(frozen=True, slots=True)

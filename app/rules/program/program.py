@@ -13,8 +13,6 @@ from types import MappingProxyType
 from ...errors import AuthoringError
 from ..knowledge import Beginning, Index
 from ..language.tree import Assertion, Atom, Block, ChooseClause, Constant, Pattern, PredicateTree, RuleFile, RuleTree
-from .checking import check
-from .compiling import compiled
 from .planning import MatchPlan
 from .stratification import asserted, feeding, strata
 
@@ -111,7 +109,8 @@ def load_program(
 
     Raises AuthoringError with all mistakes of all files, in the order of the files and their lines.
     """
-    from ..language.language import read_rules  # brings lark, which compiled rules do without
+    from ..language.language import read_rules  # with `check` imported late: compiled rules need neither, nor lark
+    from .checking import check
 
     readings = [read_rules(path) for path in paths]
     files = with_annotations(with_known_classes([file for file, _ in readings], printed))
@@ -124,6 +123,8 @@ def load_program(
 
 
 def _assembled(files: tuple[RuleFile, ...]) -> Program:
+    from .compiling import compiled
+
     blocks = [(file, block) for file in files for block in file.blocks]
     predicates = {
         block.tree.name: _predicate(file, block, block.tree)

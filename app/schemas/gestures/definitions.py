@@ -46,7 +46,7 @@ Triple = tuple[float, float, float]
 class Values(BaseModel):
     """Base of models that are both requests and responses."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, populate_by_name=True)
+    model_config = ConfigDict(defer_build=True, frozen=True, extra="forbid", allow_inf_nan=False, populate_by_name=True)
 
 
 class PlaceValues(Values):

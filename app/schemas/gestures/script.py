@@ -31,7 +31,7 @@ _Index = Annotated[int, Field(ge=0, le=10**6)]
 
 
 class _ScriptForm(BaseModel):
-    model_config = ConfigDict(frozen=True, extra="forbid")
+    model_config = ConfigDict(defer_build=True, frozen=True, extra="forbid")
 
 
 def _sectors(told: str) -> str:
