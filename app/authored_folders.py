@@ -163,10 +163,10 @@ def _layer_links(bundled: _Bundled, layer: Path, number: int, mistakes: list[Mis
             continue
         name = bundled.named(inside)
         if not path.is_file():
-            mistakes.append(Mistake(path, 1, 1, "is no file, nor a link to one"))
+            mistakes.append(Mistake(path, 1, 1, "is neither a file nor a link to one"))
         elif name is None:
             known = ", ".join(f"{each}/" for each in (*_FOLDERS, *(f"rules/{kind}" for kind in _KINDS_OF_RULES)))
-            mistakes.append(Mistake(path, 1, 1, f"nothing reads a file here; files are read from {known}"))
+            mistakes.append(Mistake(path, 1, 1, f"a file here is never read; files are read from {known}"))
         else:
             links[_added(bundled, name, number)] = path
     return links
@@ -200,7 +200,7 @@ def _link(root: Path, links: Mapping[str, Path]) -> None:
             link.symlink_to(target)
         _moved(beside, root)
     except OSError as error:
-        message = f"{root.parent}: the files of --lexicon cannot be put together there: {error.strerror}"
+        message = f"{root.parent}: the folders of --lexicon cannot be combined there: {error.strerror}"
         raise ServiceError("lexicon_unlinked", f"{message}; UNDERSTUDY_CACHE names another folder") from None
 
 

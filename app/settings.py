@@ -259,7 +259,7 @@ def read_settings() -> Settings:
     only former versions had."""
     names = {name.upper() for name in os.environ}
     wrong = [
-        f"{variable}: is no setting any more; {instead}"
+        f"{variable}: is no longer a setting; {instead}"
         for variable, instead in ((f"{PREFIX}{name}".upper(), instead) for name, instead in _REMOVED.items())
         if variable in names
     ]

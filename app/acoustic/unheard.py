@@ -70,7 +70,7 @@ def pace_words(
         line = paced(pace, read.words, replace(speaking, emphasized=emphasized), read.abbreviated)
         if line.duration_s > limit_s:
             message = (
-                f"spoken at a usual pace the text lasts {line.duration_s:.0f} s; at most {limit_s:g} s are allowed"
+                f"at an average speaking rate the text lasts {line.duration_s:.0f} s; at most {limit_s:g} s are allowed"
             )
             raise TooLargeError("text_too_long", message, field="text")
     else:
@@ -86,7 +86,7 @@ def _unread_tags(speaking: Speaking) -> tuple[Notice, ...]:
     if not speaking.unread_tags:
         return ()
     names = ", ".join(f"<{name}>" for name in speaking.unread_tags)
-    return (Notice("tags_unread", f"tags that are not read, only what is inside: {names}"),)
+    return (Notice("tags_unread", f"unknown tags, of which only the content is read: {names}"),)
 
 
 def unheard_utterance(

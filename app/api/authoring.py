@@ -42,7 +42,7 @@ async def get_gesture_language(shared: Shared) -> Response:
 @router.post("/gestures/check")
 async def post_gestures_check(request: Request, shared: Shared) -> Response:
     """Gestures as text, as values or by name in; the text, every mistake with its line and column, and what was defined
-    as values out. What is written wrong is no error of the request.
+    as values out. A mistake in the text is not an error of the request.
     """
     return await worked(request, shared, Task.GESTURE_CHECK)
 
@@ -160,11 +160,11 @@ def _require_saving(kind: EditableFiles, request: Request, shared: Service) -> N
     """Raises ForbiddenError if nothing is saved here, or not for this caller."""
     require_folder(kind, shared.author_folder)
     if not _is_own_machine(request):
-        raise ForbiddenError("rules_read_only", "files are saved from this machine alone", field=kind.field)
+        raise ForbiddenError("rules_read_only", "files can only be saved from this machine", field=kind.field)
 
 
 async def _sent_text(kind: EditableFiles, request: Request, shared: Service) -> str:
-    """The body; raises UndecodableError if it is no UTF-8, and as `Uploads.body` does."""
+    """The body; raises UndecodableError if it is not UTF-8, and as `Uploads.body` does."""
     most_bytes, declared = shared.settings.part_limits["rules"], declared_bytes(request.headers)
     async with shared.uploads.body(request.receive, most_bytes=most_bytes, declared_bytes=declared) as body:
         try:

@@ -114,7 +114,7 @@ class Uploads:
     def _hold(self, content: bytes, body: bytearray) -> None:
         if self._held_bytes + len(content) > self._settings.max_uploads_bytes:
             raise ServiceError(
-                "uploads_full", "too much is being sent at once; try again in a moment", retry_after_s=_RETRY_AFTER_S
+                "uploads_full", "too many uploads at once; try again in a moment", retry_after_s=_RETRY_AFTER_S
             )
         body += content
         self._held_bytes += len(content)

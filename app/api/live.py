@@ -138,7 +138,7 @@ async def _hear(worker: Worker, told: OutgoingQueue) -> None:
         try:
             output, content = await receive_soon(worker.socket)
         except (EOFError, OSError):
-            raise ServiceError("worker_lost", "the process of this stream ended; begin again") from None
+            raise ServiceError("worker_lost", "the process of this stream ended; open another") from None
         assert isinstance(output, LiveOutput)
         await told.put(output, content.decode())
         if output.ended:

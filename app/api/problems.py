@@ -103,7 +103,7 @@ class Problem(BaseModel):
 
 MEDIA_TYPE = "application/problem+json"
 LONGEST_DETAIL = 2000
-OUR_MISTAKE = "the service failed at this request; what happened has been logged"
+OUR_MISTAKE = "the service failed on this request; the error has been logged"
 
 _LOGGER = logging.getLogger(__name__)
 

@@ -56,7 +56,7 @@ class EditableFiles:
         if full is None:
             hint = did_you_mean(name, self.files()) or f"; GET /{self.field}/files lists those that are"
             where = ", ".join(f"{name_in_checkout(_root(place))}/NAME{suffix}" for place, suffix in self.places)
-            message = f"{shown(name)} is no {self.kind}{hint}; a new one is {where}"
+            message = f"{shown(name)} is not a {self.kind}{hint}; a new one is {where}"
             raise InputError("unknown_file", message, field=self.field)
         return full
 

@@ -152,7 +152,7 @@ def _doubles(source: Source, told: Mapping[str, _CastEntry]) -> Iterator[Mistake
     seen: set[str] = set()
     for name in told:
         if folded(name) in seen:
-            yield source.mistake((name,), f"{name!r} stands here a second time; capitals do not count")
+            yield source.mistake((name,), f"{name!r} is listed twice; case is ignored")
         seen.add(folded(name))
 
 

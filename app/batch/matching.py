@@ -62,7 +62,7 @@ def find_recordings(folder: Path, *, without: Path) -> tuple[RecordingFile, ...]
     Raises InputError `file_unreadable`.
     """
     if not folder.is_dir():
-        message = f"{folder}: no folder of recordings; give --audio the folder where they are"
+        message = f"{folder}: there is no such folder of recordings; give --audio the folder where they are"
         raise InputError("file_unreadable", message, field="audio")
     found, written = [], without.resolve()
     for parent, folders, files in os.walk(folder):
@@ -98,7 +98,7 @@ class RecordingPattern:
             if stray is not None or (name is not None and name not in PLACES):
                 hint = did_you_mean(name or "", PLACES)
                 told = ", ".join(f"{{{place}}}" for place in PLACES)
-                message = f"pattern {text!r}: {match[0]!r} is no place; places are {told}{hint}"
+                message = f"pattern {text!r}: {match[0]!r} is not a place; places are {told}{hint}"
                 raise InputError("pattern_wrong", message, field="pattern")
             if name in places:
                 made += f"(?P={name})"

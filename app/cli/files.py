@@ -54,7 +54,7 @@ def require_writable(name: str, *, field: str) -> None:
     if target.is_dir():
         raise InputError("file_unwritable", f"{name}: is a folder; give the name of a file", field=field)
     if target.exists() and not os.access(target, os.W_OK):
-        raise InputError("file_unwritable", f"{name}: is protected against writing", field=field)
+        raise InputError("file_unwritable", f"{name}: is write-protected", field=field)
     if not os.access(target.parent, os.W_OK):
         raise InputError("file_unwritable", f"{name}: there is no folder {target.parent} to write to", field=field)
 

@@ -37,7 +37,7 @@ def make_reference(
     Raises InputError for audio that cannot be used, and `value_wrong` when there is none.
     """
     if not recordings:
-        raise InputError("value_wrong", "recordings: give one at least", field="recordings")
+        raise InputError("value_wrong", "recordings: give at least one", field="recordings")
     acoustic = _acoustic(models)
     heard = (
         each if isinstance(each, SignalAnalysis) else analyze_signal(acoustic, content_of(each)) for each in recordings

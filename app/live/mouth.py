@@ -61,9 +61,9 @@ class MouthModel:
                 names = tuple(str(name) for name in arrays["visemes"])
                 weights, bias = arrays["weights"].astype(float), arrays["bias"].astype(float)
         except (OSError, KeyError, ValueError, EOFError, zipfile.BadZipFile) as error:
-            raise ServiceError("model_unreadable", f"{path} is no model of the mouth: {error}") from None
+            raise ServiceError("model_unreadable", f"{path} is not a model of the mouth: {error}") from None
         if weights.shape != (FEATURES, len(names)) or bias.shape != (len(names),) or not set(names) <= set(OPENINGS):
-            raise ServiceError("model_unreadable", f"{path}: it is made for other measures; train it anew")
+            raise ServiceError("model_unreadable", f"{path}: it is made for other measures; retrain it")
         return cls(names, weights, bias)
 
 

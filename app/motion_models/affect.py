@@ -48,7 +48,7 @@ class LinearAffectModel:
                 names = ("mean", "scale", "weights", "intercepts")
                 return cls(*(arrays[name].astype(np.float64) for name in names))
         except (OSError, KeyError, ValueError, EOFError, zipfile.BadZipFile) as error:
-            raise ServiceError("model_unreadable", f"{path} is no model of affect: {error}") from None
+            raise ServiceError("model_unreadable", f"{path} is not a model of affect: {error}") from None
 
     def estimate(self, raw: FloatArray) -> FloatArray:
         """The affects (frames × `DIMENSIONS`), in [-1, 1], of raw frames (`prosody.raw_frames`)."""

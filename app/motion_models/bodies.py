@@ -135,7 +135,9 @@ def _basis(rest: FloatArray, places: Mapping[str, int], name: str) -> FloatArray
     middle = (rest[places["leftUpperArm"]] + rest[places["rightUpperArm"]]) / 2
     up = _axis(middle - rest[places["hips"]])
     if abs(left @ up) > 0.5 or not (left.any() and up.any()):
-        raise InputError("bvh_wrong", f"{name}: its pose without rotations is no standing body: shoulders side by side")
+        raise InputError(
+            "bvh_wrong", f"{name}: its pose without rotations is not a standing body: shoulders side by side"
+        )
     return np.stack([left, up, np.cross(left, up)])
 
 

@@ -141,17 +141,17 @@ class MotionModel:
         """The model in a file called `name`. Raises InputError `motion_model`."""
         try:
             if not zipfile.is_zipfile(io.BytesIO(content)):
-                raise ValueError("it is no .npz file")
+                raise ValueError("it is not an .npz file")
             with np.load(io.BytesIO(content), allow_pickle=False) as file:
                 arrays = dict(file)
             form = int(arrays["form"])
             if form != FORM:
-                raise ValueError(f"its form is {form}, and {FORM} is read: train it anew")
+                raise ValueError(f"its form is {form}, and {FORM} is read: retrain it")
             return _read(arrays)
         except MemoryError:
             raise InputError("motion_model", f"{name}: has more than fits into memory", field="motion_model") from None
         except (KeyError, ValueError, TypeError, EOFError, IndexError, zipfile.BadZipFile, zlib.error) as error:
-            message = f"{name}: no motion model, which understudy motion-model train writes: {error}"
+            message = f"{name}: not a motion model (understudy motion-model train writes one): {error}"
             raise InputError("motion_model", message, field="motion_model") from None
 
     @staticmethod
@@ -242,7 +242,7 @@ def _check(numbers: Mapping[str, FloatArray], joints: int) -> None:
     if numbers["log_transition"].shape != (kinds, kinds) or any(len(each) != kinds for each in by_kind):
         raise ValueError("its tables do not have one row for each kind")
     if motion.shape != (len(motion), joints, 4) or not motion.any(axis=2).all():
-        raise ValueError("its motion is no rotation of each joint")
+        raise ValueError("its motion is not a rotation of each joint")
     if not (states >= 0).all() or not (states < kinds).all() or not (numbers["unit_frames"] >= 1).all():
         raise ValueError("its units have no kind or no frame")
 

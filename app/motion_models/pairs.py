@@ -136,7 +136,7 @@ def _arrays(path: Path) -> Mapping[str, FloatArray]:
         with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as file:
             arrays = {"width_to_height": np.array(WIDTH_TO_HEIGHT), **file}
     except (ValueError, EOFError, zipfile.BadZipFile):
-        raise InputError("pairs_wrong", f"{path}: no arrays that NumPy can read (.npz without pickles)") from None
+        raise InputError("pairs_wrong", f"{path}: not arrays that NumPy can read (.npz without pickles)") from None
     missing = [name for name in _ARRAYS if name not in arrays]
     if missing:
         raise InputError("pairs_wrong", f"{path}: lacks {', '.join(missing)}; it needs {', '.join(_ARRAYS)}")

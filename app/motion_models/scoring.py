@@ -121,7 +121,9 @@ def left_out_trials(
         by = ("recording", lambda pair: pair.name)
     groups = sorted({by[1](pair) for pair in pairs})
     if len(groups) == 1:
-        raise InputError("pairs_wrong", "a single recording: give two at least, to leave one out", field="folder")
+        raise InputError(
+            "pairs_wrong", "a single recording; give at least two, so that one can be left out", field="folder"
+        )
     trials = []
     for number, group in enumerate(groups, start=1):
         progress(f"leave out {number}/{len(groups)}")

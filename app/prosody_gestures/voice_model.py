@@ -78,7 +78,9 @@ class VoiceModel:
             with np.load(io.BytesIO(path.read_bytes()), allow_pickle=False) as arrays:
                 return cls(tuple(_read(dict(arrays), str(part)) for part in arrays["parts"]))
         except (OSError, KeyError, ValueError, EOFError, zipfile.BadZipFile) as error:
-            raise ServiceError("model_unreadable", f"{path} is no model of gestures from the voice: {error}") from None
+            raise ServiceError(
+                "model_unreadable", f"{path} is not a model of gestures from the voice: {error}"
+            ) from None
 
     def save(self, path: Path) -> None:
         """Writes the file whole."""
@@ -121,7 +123,7 @@ def _arrays(part: PartModel) -> dict[str, FloatArray]:
 def _read(arrays: dict[str, FloatArray], part: str) -> PartModel:
     mean, scale, weights = (arrays[f"{part}/{name}"].astype(np.float64) for name in _DISCRIMINANTS)
     if len(mean) != WIDTH:
-        raise ValueError(f"it observes {len(mean)} numbers of {part}, and we measure {WIDTH}: train it anew")
+        raise ValueError(f"it observes {len(mean)} numbers of {part}, and we measure {WIDTH}: retrain it")
     emissions = MixtureEmissions(*(arrays[f"{part}/{name}"].astype(np.float64) for name in _EMISSIONS))
     initial, transition, duration = (arrays[f"{part}/{name}"].astype(np.float64) for name in _MODEL)
     states = tuple(str(state) for state in arrays[f"{part}/states"])

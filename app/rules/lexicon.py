@@ -3,7 +3,7 @@
 A file has one class in groups: words that share a subtype and conditions. A phrase's words match the transcript's
 words, or the parts into which the parser splits them ("that" in "that's"); with `match: lemma` also their lemmas ("turn
 into" finds "turning into"). `...` in a phrase stands for up to three words, or none. A file's exceptions are phrases in
-which its words do not mean its class ("no wonder" is no negation). Neither a phrase nor a condition extends across
+which its words do not mean its class ("no wonder" is not a negation). Neither a phrase nor a condition extends across
 punctuation. Among overlapping matches of one class the longest counts. The cost does not depend on the number of
 entries.
 """

@@ -180,4 +180,6 @@ def _span(offer: _Offer, call: Call) -> tuple[int, int]:
             return start, end - 1
         case _:
             arguments = ", ".join(map(str, call.arguments))
-            raise offer.choice.origin.error(f"{call.name}({arguments}) is no span; give it the start and end of words")
+            raise offer.choice.origin.error(
+                f"{call.name}({arguments}) is not a span; give it the start and end of words"
+            )

@@ -29,7 +29,7 @@ def read_affect(told: str) -> AffectTrack:
         return constant_affect(affect_of_tone(Tone(told.strip())))
     numbers = told.split(",")
     if len(numbers) != 3:
-        raise _wrong(f"{shown(told)} is no tone and no three numbers")
+        raise _wrong(f"{shown(told)} is neither a tone nor three numbers")
     return constant_affect(affect_of_dimensions(*(_number(part, told) for part in numbers)))
 
 
@@ -56,7 +56,7 @@ def read_affect_track(content: bytes, name: str) -> AffectTrack:
     try:
         rows = [row for row in csv.reader(io.StringIO(content.decode("utf-8-sig"))) if any(map(str.strip, row))]
     except (UnicodeDecodeError, csv.Error) as error:
-        raise _wrong(f"{name}: no CSV in UTF-8 ({error})") from None
+        raise _wrong(f"{name}: not CSV in UTF-8 ({error})") from None
     if not rows or tuple(cell.strip() for cell in rows[0]) != HEADER or len(rows) < 2:
         raise _wrong(f"{name}: the first line must be {','.join(HEADER)}, with a row for each time below it")
     if len(rows) > MOST_ROWS:
@@ -89,7 +89,7 @@ def _time(cell: str, where: str) -> float:
     except ValueError:
         time_s = math.nan
     if not 0 <= time_s < math.inf:
-        raise _wrong(f"{where}: {shown(cell)} is no time in seconds")
+        raise _wrong(f"{where}: {shown(cell)} is not a time in seconds")
     return time_s
 
 
@@ -99,7 +99,7 @@ def _number(cell: str, where: str) -> float:
     except ValueError:
         number = math.nan
     if not -1 <= number <= 1:
-        raise _wrong(f"{shown(where)}: {shown(cell.strip())} is no number from -1 to 1")
+        raise _wrong(f"{shown(where)}: {shown(cell.strip())} is not a number from -1 to 1")
     return number
 
 

@@ -39,7 +39,7 @@ def read_labels(content: bytes, table: Path) -> tuple[LabelledRecording, ...]:
         separator = max(SEPARATORS, key=text.partition("\n")[0].count)
         rows = list(csv.reader(io.StringIO(text), delimiter=separator, strict=True))
     except (UnicodeDecodeError, csv.Error) as error:
-        raise _wrong(f"{table}: no CSV in UTF-8 ({error}); save it as CSV in UTF-8") from None
+        raise _wrong(f"{table}: not CSV in UTF-8 ({error}); save it as CSV in UTF-8") from None
     header = [cell.strip().lower() for cell in rows[0]] if rows else []
     if missing := [name for name in COLUMNS if name not in header]:
         told = f"{table}:1: the column {missing[0]} is missing{did_you_mean(missing[0], header)}"

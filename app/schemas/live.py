@@ -119,7 +119,7 @@ def read_message(content: bytes) -> ClientMessage:
 def read_samples(content: bytes, channels: int) -> FloatArray:
     """Little-endian 16-bit samples (n, channels) in [-1, 1]. Raises UndecodableError `samples_odd`."""
     if len(content) % (2 * channels):
-        message = f"{len(content)} bytes are no whole number of 16-bit samples of {channels} channels"
+        message = f"{len(content)} bytes are not a whole number of 16-bit samples of {channels} channels"
         raise UndecodableError("samples_odd", message, field="audio")
     return np.frombuffer(content, dtype="<i2").reshape(-1, channels) / _FULL_SCALE
 

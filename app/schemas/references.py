@@ -49,9 +49,8 @@ def read_reference(content: bytes, name: str) -> SpeakerReference:
     except ValidationError as error:
         found = error.errors()[0]
     where = ".".join(str(part)[:LONGEST_SHOWN] for part in found["loc"]) or "file"
-    message = (
-        f"{name[:LONGEST_SHOWN]}: no speaker's reference ({where}: {found['msg']}); make one with understudy reference"
-    )
+    told = f"{name[:LONGEST_SHOWN]}: not a speaker's reference ({where}: {found['msg']})"
+    message = f"{told}; make one with understudy reference"
     raise InputError("reference_unreadable", message, field="reference")
 
 

@@ -114,7 +114,7 @@ def read_timings(file_name: str, content: bytes) -> Timings:
     if ending not in {"json", "textgrid", "ctm"}:
         raise UnsupportedFormatError(
             "timings_format",
-            f"words in time are read from .json, .TextGrid or .ctm, not from {shown(file_name)}",
+            f"timed words are read from .json, .TextGrid or .ctm, not from {shown(file_name)}",
             field="words",
         )
     return Timings(content=content, format=ending)

@@ -106,7 +106,7 @@ class _Reader:
             self._parser.Parse(text.removeprefix("\ufeff").lstrip(), True)
         except expat.ExpatError as error:
             where = f"line {error.lineno}, column {error.offset + 1}"
-            message = f"the text begins with a tag but is no XML: {expat.ErrorString(error.code)}"
+            message = f"the text begins with a tag but is not XML: {expat.ErrorString(error.code)}"
             raise _misread(where, f"{message}; close every tag, and write & as &amp;") from None
         return self._found
 

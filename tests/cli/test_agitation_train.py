@@ -53,4 +53,4 @@ def test_what_is_wrong_is_told(recordings: Path, tmp_path: Path, capsys: pytest.
     assert "wrong.csv:2: there is no file 'gone.wav'" in capsys.readouterr().err
     sound = str(recordings / "Ann_low_0.wav")
     assert main(["agitation", sound, "--agitation-model", str(table)]) == 2
-    assert "wrong.csv is no agitation model" in capsys.readouterr().err
+    assert "wrong.csv is not an agitation model" in capsys.readouterr().err

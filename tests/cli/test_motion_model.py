@@ -166,8 +166,11 @@ def test_arrays_that_cannot_be_are_told(
     [
         ([], "say with --realize where its motion goes"),
         (["--realize", "x.bvh", "--scenario", "S7"], "scenario: 'S7'; give one of S1, S2"),
-        (["--realize", "x.bvh", "--motion-model", TEXT], "no motion model, which understudy motion-model train writes"),
-        (["--realize", "x.bvh", "--motion-model", TEXT], "it is no .npz file"),
+        (
+            ["--realize", "x.bvh", "--motion-model", TEXT],
+            "not a motion model (understudy motion-model train writes one)",
+        ),
+        (["--realize", "x.bvh", "--motion-model", TEXT], "it is not an .npz file"),
         (["--realize", "x.bvh", "--motion-model", "gone.npz"], "gone.npz: cannot be read"),
     ],
 )

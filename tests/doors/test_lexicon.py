@@ -170,7 +170,10 @@ def test_files_that_nothing_reads_or_can_read_and_folders_that_are_missing_are_t
     (own / "en").mkdir(exist_ok=True)
     (own / "en" / "lost.yaml").symlink_to("nowhere.yaml")
     (own / "en" / "plain.yaml").write_text("words: [ta]\n", encoding="utf-8")
-    with laid_over([own]), pytest.raises(AuthoringError, match=r"nowhere\.yaml:1:1: is no file, nor a link to one"):
+    with (
+        laid_over([own]),
+        pytest.raises(AuthoringError, match=r"nowhere\.yaml:1:1: is neither a file nor a link to one"),
+    ):
         load_characters()
     (own / "en" / "lost.yaml").unlink()
     with laid_over([own]), pytest.raises(AuthoringError, match=r"plain\.yaml:1:1: a file of words begins with"):

@@ -250,7 +250,7 @@ def test_rules_that_cannot_map_do_not_load(tmp_path: Path, rule: str, message: s
 def test_a_behaviour_on_no_span_is_the_rules_mistake(tmp_path: Path) -> None:
     rule = "foreach\n  fcn(negation, _, $s, $e, _)\nchoose\n  weight 1\n    shake($e, $s)\n"
     rules = MappingRules.load(_folder(tmp_path, rule), CHARACTERS.behavior_names)
-    with pytest.raises(AuthoringError, match=r"shake\(3, 2\) is no span"):
+    with pytest.raises(AuthoringError, match=r"shake\(3, 2\) is not a span"):
         chosen(rules, (function("negation", "plain", 2, 2),))
 
 

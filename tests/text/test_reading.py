@@ -70,7 +70,7 @@ def test_a_tag_that_names_a_function_by_itself_is_the_least_important() -> None:
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ("<speak>\n<b>so</speak>", "line 2, column 8: the text begins with a tag but is no XML: mismatched tag"),
+        ("<speak>\n<b>so</speak>", "line 2, column 8: the text begins with a tag but is not XML: mismatched tag"),
         ("<speak>a & b</speak>", "write & as &amp;"),
         ('<!DOCTYPE a [<!ENTITY b "c">]><a>&b;</a>', "a DOCTYPE is not read"),
         ('<speak>\n <break time="soon"/></speak>', "line 2, column 2: <break time='soon'>; give seconds"),

@@ -145,7 +145,7 @@ class AffectModel:
         if len(reference.mean) != len(self.typical.mean):
             message = f"the speaker's reference holds {len(reference.mean)} features, not {len(self.typical.mean)}"
             raise InputError(
-                "reference_other_features", f"{message}; make it anew with understudy reference", field="reference"
+                "reference_other_features", f"{message}; recreate it with understudy reference", field="reference"
             )
         return True
 

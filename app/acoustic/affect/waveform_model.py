@@ -97,7 +97,7 @@ def _range(path: Path, named: Sequence[str], metadata: Mapping[str, str]) -> tup
     try:
         lowest, highest = map(float, told.split(","))
     except ValueError:
-        raise _unreadable(path, f"its range {told!r} is no lowest and highest number") from None
+        raise _unreadable(path, f"its range {told!r} is not a lowest and highest number") from None
     if not lowest < highest:
         raise _unreadable(path, f"its range {told!r} is empty")
     return lowest, highest
@@ -111,4 +111,4 @@ def _load_errors() -> tuple[type[Exception], ...]:
 
 
 def _unreadable(path: Path, reason: str) -> ServiceError:
-    return ServiceError("model_unreadable", f"{path} is no model of affect: {reason}")
+    return ServiceError("model_unreadable", f"{path} is not a model of affect: {reason}")

@@ -166,7 +166,7 @@ class AgitationModel:
             raise InputError(
                 "reference_other_features",
                 f"the speaker's reference holds {len(reference.mean)} {reference.feature_set!r} features, the model "
-                f"needs {len(self.typical.mean)} {self.feature_set!r}; make it anew with understudy reference",
+                f"needs {len(self.typical.mean)} {self.feature_set!r}; recreate it with understudy reference",
                 field="reference",
             )
 
@@ -191,7 +191,9 @@ def save_file(model: AgitationModel, path: Path) -> None:
 
 
 def _no_model(path: Path, why: object) -> InputError:
-    message = f"{path} is no agitation model ({why}); make one with understudy agitation train LABELS.csv -o MODEL.npz"
+    message = (
+        f"{path} is not an agitation model ({why}); make one with understudy agitation train LABELS.csv -o MODEL.npz"
+    )
     return InputError("agitation_model", message, field="agitation_model")
 
 

@@ -51,4 +51,4 @@ def _checksum(path: Path) -> Path:
 
 
 def _unreadable(path: Path, kind: str, error: Exception) -> ServiceError:
-    return ServiceError("model_unreadable", f"{path} is no {kind} ({error}); reinstall understudy")
+    return ServiceError("model_unreadable", f"{path} is not a {kind} ({error}); reinstall understudy")

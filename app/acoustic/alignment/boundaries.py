@@ -122,7 +122,7 @@ class BoundaryModel:
                 view = BoundaryView(mean, basis, float(arrays["kind_weight"]), float(arrays["gap_weight"]))
                 return cls(view, supports, weights_s)
         except (OSError, KeyError, ValueError, zipfile.BadZipFile) as error:
-            raise ServiceError("model_unreadable", f"{path} is no boundary model: {error}") from None
+            raise ServiceError("model_unreadable", f"{path} is not a boundary model: {error}") from None
 
     def refine(self, audio: Audio, words: tuple[Word, ...]) -> tuple[Word, ...]:
         """The words, all timed and with phones, with every boundary corrected; order and silences are preserved."""

@@ -107,7 +107,7 @@ def read_timings(content: bytes, format: str, words: tuple[Word, ...], *, durati
     if format not in readers:
         raise UnsupportedFormatError(
             "timings_format",
-            f"words in time cannot be read from {shown(format)}; send {', '.join(FORMATS)}",
+            f"timed words cannot be read from {shown(format)}; send {', '.join(FORMATS)}",
             field="words",
         )
     timed = tuple(readers[format](_decoded(content, format)))
@@ -163,7 +163,7 @@ def _decoded(content: bytes, name: str) -> str:
     try:
         return content.decode("utf-16" if content[:2] in {b"\xff\xfe", b"\xfe\xff"} else "utf-8-sig")
     except UnicodeDecodeError as error:
-        raise _unreadable(name, f"byte {error.start} is no {error.encoding}") from None
+        raise _unreadable(name, f"byte {error.start} is not {error.encoding}") from None
 
 
 def _timed_words(text: str) -> _TimedWords:
@@ -206,7 +206,7 @@ def _mark(number: int, line: str) -> _SpeechMark:
     except ValidationError as error:
         first = error.errors()[0]
         where = ".".join(map(str, first["loc"]))
-        raise _unreadable("json", f"line {number} is no speech mark: {where}: {first['msg']}") from None
+        raise _unreadable("json", f"line {number} is not a speech mark: {where}: {first['msg']}") from None
 
 
 def _from_json(text: str) -> Iterator[_Timed]:
@@ -283,7 +283,7 @@ def _check_times(timed: tuple[_Timed, ...], duration_s: float) -> None:
     for number, word in enumerate(timed):
         for interval in (word.interval, *(phone.interval for phone in word.phones)):
             if not (math.isfinite(interval.start_s) and math.isfinite(interval.end_s)):
-                raise _wrong("timings_not_a_time", number, word, "has a time that is no number")
+                raise _wrong("timings_not_a_time", number, word, "has a time that is not a number")
             if interval.start_s < 0 or interval.end_s < interval.start_s:
                 raise _wrong("timings_out_of_order", number, word, "must start at 0 or later and end after its start")
             if interval.end_s > duration_s + TOLERANCE_S:
@@ -341,4 +341,4 @@ def _differ(message: str) -> InputError:
 
 
 def _unreadable(name: str, why: str) -> UndecodableError:
-    return UndecodableError("timings_unreadable", f"the timings are no {name} with words in time: {why}", field="words")
+    return UndecodableError("timings_unreadable", f"the timings are not {name} with timed words: {why}", field="words")

@@ -50,9 +50,9 @@ class FocusModel:
                 usual_s = dict(zip(arrays["phones"].tolist(), arrays["usual_s"].tolist(), strict=True))
             model = cls(MappingProxyType(usual_s), **layers)
         except (OSError, EOFError, KeyError, ValueError, TypeError, zipfile.BadZipFile) as error:
-            raise ServiceError("model_unreadable", f"{path} is no model of focus: {error}") from error
+            raise ServiceError("model_unreadable", f"{path} is not a model of focus: {error}") from error
         if model.first.ndim != 4 or model.first.shape[2] != INPUTS:
-            raise ServiceError("model_unreadable", f"{path} is no model of focus: it does not take {INPUTS} inputs")
+            raise ServiceError("model_unreadable", f"{path} is not a model of focus: it does not take {INPUTS} inputs")
         return model
 
     def with_focus(

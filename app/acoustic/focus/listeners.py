@@ -61,7 +61,7 @@ class Listeners:
             content = path.read_bytes()
             return cls(onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"]))
         except (OSError, state.Fail, state.InvalidProtobuf, state.InvalidGraph, state.InvalidArgument) as error:
-            raise ServiceError("model_unreadable", f"{path} is no model for emphases: {error}") from error
+            raise ServiceError("model_unreadable", f"{path} is not a model for emphases: {error}") from error
 
     def heard(self, audio: Audio, words: tuple[Word, ...]) -> dict[int, float]:
         """The log odds by the index of each word that has an interval."""

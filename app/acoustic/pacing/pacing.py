@@ -45,7 +45,7 @@ class PauseTable(Entry):
         """The pauses by mark; raises ValueError for a key that is not one punctuation mark."""
         for mark in pauses_s:
             if len(mark) != 1 or mark.isalnum() or mark.isspace():
-                raise ValueError(f"{mark!r} is no punctuation mark; give one character")
+                raise ValueError(f"{mark!r} is not a punctuation mark; give one character")
         return pauses_s
 
     @classmethod

@@ -90,7 +90,7 @@ class GraphoneModel:
                 graphones = [str(graphone) for graphone in arrays["graphones"]]
                 orders = _orders(dict(arrays))
         except (OSError, KeyError, ValueError, zipfile.BadZipFile) as error:
-            raise ServiceError("model_unreadable", f"{path} is no pronunciation model: {error}") from None
+            raise ServiceError("model_unreadable", f"{path} is not a pronunciation model: {error}") from None
         return cls(_by_letters(graphones), orders)
 
     def pronounce(self, word: str) -> tuple[str, ...]:
@@ -264,7 +264,7 @@ def read_dictionary(path: Path) -> dict[str, str]:
                 word = name.partition("(")[0]
                 dictionary[word] = f"{dictionary[word]}\n{phones}" if word in dictionary else phones
     except (OSError, UnicodeDecodeError) as error:
-        raise ServiceError("model_unreadable", f"{path} is no pronunciation dictionary: {error}") from None
+        raise ServiceError("model_unreadable", f"{path} is not a pronunciation dictionary: {error}") from None
     return dictionary
 
 

@@ -70,7 +70,9 @@ def check_complete(content: bytes, container: Container) -> tuple[Notice, ...]:
 
 def truncated(what: str) -> UndecodableError:
     """The error for an incomplete file; `what` says which part is missing."""
-    return UndecodableError("audio_truncated", f"the audio is not whole: {what}; send the complete file", field="audio")
+    return UndecodableError(
+        "audio_truncated", f"the audio is incomplete: {what}; send the complete file", field="audio"
+    )
 
 
 def _check_wav(content: bytes) -> tuple[Notice, ...]:
@@ -87,7 +89,7 @@ def _check_wav(content: bytes) -> tuple[Notice, ...]:
 
 def _check_wav_data(promised_bytes: int, present_bytes: int) -> tuple[Notice, ...]:
     if promised_bytes == _UNSTATED_WAV_BYTES:
-        return (Notice("audio_length_unstated", "the WAV header states no length; the audio is taken to be whole"),)
+        return (Notice("audio_length_unstated", "the WAV header gives no length; the file is assumed to be complete"),)
     if promised_bytes > present_bytes:
         raise truncated(f"the WAV header promises {promised_bytes} bytes of sound and {present_bytes} are there")
     return ()
@@ -99,7 +101,7 @@ def _check_flac(content: bytes) -> None:
     if total == 0:
         raise UndecodableError(
             "audio_length_unstated",
-            "the FLAC header states no length, as when it was written to a pipe; write it to a file instead",
+            "the FLAC header gives no length, as when it is written to a pipe; write it to a file instead",
             field="audio",
         )
 
@@ -184,7 +186,7 @@ def _opened(content: bytes) -> soundfile.SoundFile:
     except soundfile.LibsndfileError as error:
         if error.code in _IMPOSSIBLE_CHANNELS:
             raise InputError(
-                "audio_channels", f"the audio's header is wrong: {error.error_string}", field="audio"
+                "audio_channels", f"the audio's header is invalid: {error.error_string}", field="audio"
             ) from error
         if error.code == _UNIMPLEMENTED_CODEC:
             raise _codec_error("unknown, or its header is damaged") from error

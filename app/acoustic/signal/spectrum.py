@@ -151,7 +151,7 @@ def doubts(energy_db: FloatArray) -> tuple[Notice, ...]:
     if above_db >= LEAST_TRUSTED_DB:
         return ()
     message = (
-        f"the voice is only {above_db:.0f} dB above the noise: its agitation may be heard wrongly; give it if known"
+        f"the voice is only {above_db:.0f} dB above the noise: the measured agitation may be wrong; give it if known"
     )
     return (Notice("agitation_unsure", message),)
 

@@ -89,7 +89,7 @@ class Admission:
             return problem(421, "host_unknown", "this service has another name; send the Host that it is known by")
         does_more = arrival.is_websocket or arrival.method not in _ONLY_READS
         if does_more and origin is not None and not is_own_page(origin, host, self.origins):
-            message = f"pages of other origins may not ask for this; {PREFIX}ALLOWED_ORIGINS names those that may"
+            message = f"requests from other origins are refused; {PREFIX}ALLOWED_ORIGINS lists the permitted ones"
             return problem(403, "origin_refused", message)
         if {"content-length", "transfer-encoding"} <= set(arrival.headers):
             message = "Content-Length and Transfer-Encoding do not go together"
@@ -122,7 +122,7 @@ def require_keys(admission: Admission, address: str, settings: Settings) -> None
     if settings.allow_anonymous:
         return
     told = f"give {PREFIX}API_KEYS or {PREFIX}API_KEYS_FILE, or {PREFIX}ALLOW_ANONYMOUS=1 behind what checks callers"
-    raise InputError("key_missing", f"{address} can be reached by others, and no API key is asked of them: {told}")
+    raise InputError("key_missing", f"{address} can be reached by others, and no API key is required of them: {told}")
 
 
 def _is_under(path: str, places: tuple[str, ...]) -> bool:

@@ -30,7 +30,7 @@ class Rates:
         now_s, each_s = self._clock(), _MINUTE_S / self._per_minute
         full_at_s = max(self._full_at_s.get(client, now_s), now_s) + each_s
         if full_at_s - now_s > _MINUTE_S + 1e-9:
-            message = f"more than {self._per_minute} requests a minute from one address; ask more slowly"
+            message = f"more than {self._per_minute} requests a minute from one address; slow down"
             raise TooManyError("too_many_requests", message, retry_after_s=full_at_s - now_s - _MINUTE_S)
         if not times:
             return

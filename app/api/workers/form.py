@@ -143,7 +143,7 @@ def with_reference(options: Options, part: FormPart | None, understudy: Understu
     if part is None:
         return options
     if options.reference is not None:
-        message = "the speaker's reference came in options and as a file; send one of them"
+        message = "the speaker's reference was sent in options and as a file; send only one"
         raise InputError("field_repeated", message, field="reference")
     name = part.file_name or ""
     if PurePath(name).suffix.lower() == ".json":
@@ -164,7 +164,7 @@ def with_profile(options: Options, part: FormPart | None, understudy: Understudy
     if part is None:
         return options
     if options.profile is not None:
-        message = "a profile was named in options and came as a file; send one of them"
+        message = "a profile was named in options and sent as a file; send only one"
         raise InputError("field_repeated", message, field=FIELD)
     name = PurePath(part.file_name or FIELD).stem
     try:

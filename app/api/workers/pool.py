@@ -165,9 +165,7 @@ class Pool:
             with suppress(WorkerLostError):
                 return await self._done(job, content, caller)
             _LOGGER.warning("a worker was lost while it worked")
-        raise ServiceError(
-            "worker_lost", "the processes that worked on this ended; try again", retry_after_s=self.retry_after_s
-        )
+        raise ServiceError("worker_lost", "the worker process ended; try again", retry_after_s=self.retry_after_s)
 
     async def _done(self, job: Job, content: Content, caller: str) -> tuple[Answer, bytearray]:
         worker = await self._taken(caller)
@@ -278,7 +276,7 @@ class Pool:
             self._renewing = None
 
     def _full(self, caller: str) -> ServiceError:
-        message = f"{self.busy} requests are being worked on and {self.waiting} wait; try again later"
+        message = f"{self.busy} requests are being processed and {self.waiting} wait; try again later"
         again_after_s = max(self.retry_after_s, self._times.mean_s)
         self._turns.keep(caller, again_after_s)
         return ServiceError("service_full", message, retry_after_s=again_after_s)

@@ -56,10 +56,10 @@ class Streams:
         if self._stopping.is_set():
             raise stopping()
         if self.count >= self._settings.live_stream_count:
-            message = f"{self.count} live streams are open, as many as may be; try again later"
+            message = f"{self.count} live streams are open, which is the limit; try again later"
             raise ServiceError("service_full", message, retry_after_s=_AGAIN_AFTER_S)
         if self._open[caller] >= self._settings.live_streams_each:
-            message = f"{self._open[caller]} live streams of this key or address are open, as many as one may have"
+            message = f"{self._open[caller]} live streams of this key or address are open, which is the limit for one"
             raise TooManyError("too_many_streams", message, retry_after_s=_AGAIN_AFTER_S)
 
     async def _forked(self) -> Worker:

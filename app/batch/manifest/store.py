@@ -263,7 +263,7 @@ def _input_error(error: Exception, folder: Path) -> InputError:
 
 
 def _unreadable(folder: Path, why: str) -> InputError:
-    message = f"{folder / FILE}: no manifest of this version ({why}); remove it, and all is performed again"
+    message = f"{folder / FILE}: not a manifest of this version ({why}); remove it to perform everything again"
     return InputError("manifest_unreadable", message, field="out")
 
 

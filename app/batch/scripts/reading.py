@@ -61,7 +61,7 @@ def read_script(path: Path, named: Mapping[str, str], sheets: Sequence[str] = ()
 def _content(path: Path) -> bytes:
     try:
         if path.exists() and not path.is_file():
-            raise InputError("file_unreadable", f"{path}: no regular file; save the script as one", field="script")
+            raise InputError("file_unreadable", f"{path}: not a regular file; save the script as one", field="script")
         if path.stat().st_size > LARGEST_SCRIPT_BYTES:
             message = f"{path}: larger than {LARGEST_SCRIPT_BYTES >> 20} MB; divide it"
             raise TooLargeError("file_too_large", message, field="script")

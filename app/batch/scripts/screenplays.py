@@ -53,7 +53,7 @@ def read_fdx(content: bytes, path: Path, _named: Mapping[str, str]) -> Script:
     try:
         root = etree.fromstring(content, etree.XMLParser(resolve_entities=False, no_network=True))
     except etree.XMLSyntaxError as error:
-        message = f"{path}: no Final Draft file: {error.msg}"
+        message = f"{path}: not a Final Draft file: {error.msg}"
         raise UndecodableError("screenplay_undecodable", message, field="script") from None
     return _script(path, [_fdx_part(paragraph) for paragraph in root.iterfind("Content//Paragraph")], [])
 

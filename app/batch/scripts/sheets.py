@@ -46,7 +46,7 @@ class Row:
         told = self.text(name)
         match = re.fullmatch(r"[^\d-]*(-?\d{1,18})(?:\.0*)?", told)
         if told and match is None:
-            self.wrong(name, "value_wrong", f"{told!r} is no whole number")
+            self.wrong(name, "value_wrong", f"{told!r} is not a whole number")
         return int(match[1]) if match else None
 
     def level(self) -> Level | None:
@@ -126,7 +126,7 @@ class Row:
             return None
         match = _CLOCK.fullmatch(told)
         if match is None:
-            self.wrong(name, "value_wrong", f"{told!r} is no time; give seconds or h:mm:ss.ms")
+            self.wrong(name, "value_wrong", f"{told!r} is not a time; give seconds or h:mm:ss.ms")
             return None
         hours, minutes, seconds = (float((part or "0").replace(",", ".")) for part in match.groups())
         return 3600 * hours + 60 * minutes + seconds
@@ -210,7 +210,7 @@ def without_doubles(lines: Sequence[ScriptLine], column: str) -> tuple[tuple[Scr
             kept.append(line)
         else:
             place = place_told(earlier.row, earlier.sheet)
-            message = f"{line.id!r} is {place}'s already; give each line an id of its own"
+            message = f"{line.id!r} is {place}'s already; give each line its own id"
             problems.append(RowProblem(line.row, column, "id_repeated", message, line.id, line.sheet))
     return tuple(kept), problems
 
@@ -238,7 +238,9 @@ def _read_row(row: Row) -> tuple[ScriptLine, list[RowProblem]]:
     if not line.text:
         row.wrong("text", "text_empty", "no words; write what is spoken")
     if len(row.cells) > len(row.columns.header) and any(cell.strip() for cell in row.cells[len(row.columns.header) :]):
-        message = f"{len(row.cells)} cells under {len(row.columns.header)} headings; quote a text that has separators"
+        message = (
+            f"{len(row.cells)} cells under {len(row.columns.header)} headings; quote text that contains separators"
+        )
         row.problems.append(RowProblem(row.number, "", "row_too_long", message, line.id))
     return line, row.problems
 

@@ -37,7 +37,7 @@ def read_srt(content: bytes, path: Path, _named: Mapping[str, str]) -> Script:
     try:
         found = list(srt.parse(file.text))
     except (srt.SRTParseError, ValueError) as error:
-        message = f"{path}: no SRT file: {str(error).splitlines()[0]}"
+        message = f"{path}: not an SRT file: {str(error).splitlines()[0]}"
         raise UndecodableError("subtitles_undecodable", message, field="script") from None
     cues = [Cue(cue.start.total_seconds(), cue.end.total_seconds(), cue.content) for cue in found]
     return _script(path, cues, file.remark)
@@ -49,7 +49,7 @@ def read_webvtt(content: bytes, path: Path, _named: Mapping[str, str]) -> Script
     try:
         found = webvtt.from_string(file.text, strict=True).captions
     except (MalformedFileError, MalformedCaptionError) as error:
-        message = f"{path}: no WebVTT file: {error}"
+        message = f"{path}: not a WebVTT file: {error}"
         raise UndecodableError("subtitles_undecodable", message, field="script") from None
     return _script(path, [_cue(caption) for caption in found], file.remark)
 

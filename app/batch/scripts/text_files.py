@@ -45,7 +45,7 @@ def decode_text(content: bytes, name: str) -> TextFile:
     except UnicodeDecodeError:
         guessed = _guessed(content)
     if guessed is None:
-        raise UndecodableError("text_not_utf8", f"{name}: in no encoding we know; save it as UTF-8", field="script")
+        raise UndecodableError("text_not_utf8", f"{name}: unknown encoding; save it as UTF-8", field="script")
     return TextFile(_decoded(content, guessed, name), f"{name} is not UTF-8; read as {guessed}")
 
 

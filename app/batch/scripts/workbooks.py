@@ -109,7 +109,7 @@ def _worksheets(content: bytes, path: Path) -> dict[str, list[list[str]]]:
                 sheet.title: list(_rows(sheet, path)) for sheet in workbook.worksheets if hasattr(sheet, "iter_rows")
             }
     except _BROKEN as error:
-        message = f"{path}: no Excel workbook: {(str(error) or type(error).__name__).splitlines()[0]}"
+        message = f"{path}: not an Excel workbook: {(str(error) or type(error).__name__).splitlines()[0]}"
         raise UndecodableError("sheet_undecodable", f"{message}; save it as .xlsx or .csv", field="script") from None
 
 

@@ -70,7 +70,7 @@ def load_attitudes(path: Path, behaviors: Collection[str], faces: Collection[str
         if name not in behaviors
     ]
     mistakes += [
-        source.mistake((tone, "reads"), f"{line.reads!r} is no kind of face{did_you_mean(line.reads, faces)}")
+        source.mistake((tone, "reads"), f"{line.reads!r} is not a kind of face{did_you_mean(line.reads, faces)}")
         for tone, line in file.items()
         if line.reads not in faces
     ]

@@ -205,7 +205,7 @@ def _stirred(direction: Direction) -> Iterator[Notice]:
         for other, moment in enumerate(direction.moments):
             if _gestures(moment) and still.first <= moment.stroke <= still.last:
                 message = f"moments[{number}] keeps the hands still on words {still.first} to {still.last}; "
-                yield Notice("direction_still", f"{message}the gesture of moments[{other}] is made all the same")
+                yield Notice("direction_still", f"{message}the gesture of moments[{other}] is made anyway")
 
 
 def _avoided_moments(direction: Direction) -> Iterator[Notice]:

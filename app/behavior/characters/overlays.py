@@ -228,7 +228,7 @@ class _ValidFile:
         for name in self.file.rest_poses:
             if name not in table.lines or table.lines[name].channel is not Channel.POSTURE:
                 postures = [each for each, line in table.lines.items() if line.channel is Channel.POSTURE]
-                yield "rest_poses", f"{name!r} is no posture of the table{did_you_mean(name, postures)}"
+                yield "rest_poses", f"{name!r} is not a posture of the table{did_you_mean(name, postures)}"
 
     def _demand_mistakes(self, table: BehaviorTable) -> Iterator[tuple[str, ...]]:
         for name in self.file.always:
@@ -238,7 +238,7 @@ class _ValidFile:
         for what, instead in self.file.never.items():
             if what not in BANNABLE and what not in table.lines and what not in lexemes:
                 known = (*BANNABLE, *table.lines, *lexemes)
-                told = f"{what!r} is no behaviour, lexeme, family or channel{did_you_mean(what, known)}"
+                told = f"{what!r} is not a behaviour, lexeme, family or channel{did_you_mean(what, known)}"
                 yield "never", what, told
             if instead is not None and instead not in table.lines:
                 told = f"the table has no behaviour {instead!r}{did_you_mean(instead, table.lines)}"

@@ -64,7 +64,7 @@ class ChoiceModel:
                 face=MappingProxyType({kind: float(likely) for kind, likely in stored["face"].items()}),
             )
         except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
-            raise ServiceError("model_unreadable", f"{path} is no model of gesture choice: {error}") from error
+            raise ServiceError("model_unreadable", f"{path} is not a model of gesture choice: {error}") from error
 
     @property
     def terms(self) -> frozenset[str]:

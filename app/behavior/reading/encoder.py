@@ -166,7 +166,7 @@ class Encoder:
                 session=session,
             )
         except _load_errors() as error:
-            raise ServiceError("model_unreadable", f"{path} is no model for directing lines: {error}") from error
+            raise ServiceError("model_unreadable", f"{path} is not a model for directing lines: {error}") from error
 
     def read(self, words: Sequence[str], delivery: Delivery = WORDS_ALONE) -> Reading:
         """The reading of a line as it is delivered; `words` are as written, with their punctuation."""

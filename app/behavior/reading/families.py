@@ -194,7 +194,7 @@ def _mistakes(
     for lexeme, families in file.shows.items():
         for position, family in enumerate(families):
             if family not in whole.gesture:
-                told = f"{family!r} is no family of gestures{did_you_mean(family, whole.gesture)}"
+                told = f"{family!r} is not a family of gestures{did_you_mean(family, whole.gesture)}"
                 yield source.mistake(("shows", lexeme, position), told)
 
 

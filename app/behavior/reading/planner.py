@@ -75,10 +75,10 @@ def load_weights(
     mistakes = []
     for term, by_family in file.terms.items():
         if term not in terms:
-            mistakes.append(source.mistake(("terms", term), f"{term!r} is no term{did_you_mean(term, terms)}"))
+            mistakes.append(source.mistake(("terms", term), f"{term!r} is not a term{did_you_mean(term, terms)}"))
         for family in by_family:
             if family != ANY and family not in families and family not in kinds:
-                told = f"{family!r} is no family of gestures{did_you_mean(family, (*families, *kinds))}"
+                told = f"{family!r} is not a family of gestures{did_you_mean(family, (*families, *kinds))}"
                 mistakes.append(source.mistake(("terms", term, family), told))
     if mistakes:
         raise AuthoringError(tuple(mistakes))

@@ -52,7 +52,7 @@ class _TermsFile(Entry):
 
 def _mistakes(predicate: str, line: _TermLine, predicates: Mapping[str, int]) -> Iterator[str]:
     if predicate not in predicates:
-        yield f"{predicate!r} is no predicate of the rules{did_you_mean(predicate, predicates)}"
+        yield f"{predicate!r} is not a predicate of the rules{did_you_mean(predicate, predicates)}"
         return
     count = predicates[predicate]
     named = re.findall(r"\{(.*?)\}", line.name)

@@ -76,7 +76,7 @@ def _read_element(text: str, sets: Mapping[str, Collection[str]]) -> PatternElem
         return PatternElement(frozenset({text}))
     found = _ELEMENT.fullmatch(text)
     if found is None:
-        raise ValueError(f"{text!r} is no element: write word, one|other, <set>, #, NOUN, word/NOUN, ... or ?")
+        raise ValueError(f"{text!r} is not an element: write word, one|other, <set>, #, NOUN, word/NOUN, ... or ?")
     words, parts = found["words"], set((found["parts"] or "").split("+")) - {""}
     optional, names = bool(found["optional"]), bool(found["at"])
     if words == NUMBER:

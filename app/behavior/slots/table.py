@@ -171,7 +171,7 @@ def _family_mistakes(source: Source, file: _SlotsFile, families: Collection[str]
     for slot, shown in file.shown_by.items():
         for place, family in enumerate(shown):
             if family not in families:
-                told = f"{family!r} is no family of gestures{did_you_mean(family, families)}"
+                told = f"{family!r} is not a family of gestures{did_you_mean(family, families)}"
                 yield source.mistake(("shown_by", slot, place), told)
 
 
@@ -183,7 +183,7 @@ def _value_mistake(slot: str, value: str) -> str | None:
         return None
     if slot == "elevation_deg" and _DEGREES.fullmatch(value) and abs(int(value)) <= 90:
         return None
-    return f"{value!r} is no value of {slot}{did_you_mean(value, allowed)}"
+    return f"{value!r} is not a value of {slot}{did_you_mean(value, allowed)}"
 
 
 _Class = TypeVar("_Class", Height, Size)

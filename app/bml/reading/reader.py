@@ -222,7 +222,8 @@ def _foreign(root: Element, kind: ElementKind, dialect: Dialect) -> tuple[Notice
     lines = {name: place.line for name, place in reversed(met)}
     return tuple(
         Notice(
-            "bml_foreign", f"{name} (line {lines[name]}, {count} in all) is not of {dialect.title}; it is kept as it is"
+            "bml_foreign",
+            f"{name} (line {lines[name]}, {count} in all) is not of {dialect.title}; it is kept unchanged",
         )
         for name, count in counts.most_common(MOST_MISTAKES)
     )

@@ -281,7 +281,7 @@ def _guessed(times: Iterable[Time], speech: Speech | None, words: tuple[Word, ..
     refs = {ref.point for ref in times if _is_of(ref, speech.id)}
     if refs - {"start"}:
         each = f"{GUESSED_WORD_S} s is taken for each" if speech.end is None else "they share its time evenly"
-        yield Notice("speech_untimed", f"no recording tells when the words are spoken: {each}; send the audio")
+        yield Notice("speech_untimed", f"there is no recording to time the words by: {each}; send the audio")
 
 
 def _missed_end(

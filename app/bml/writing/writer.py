@@ -111,7 +111,7 @@ class SpeechFile:
     @property
     def left_out(self) -> Notice:
         """The notice if the file cannot be written."""
-        message = f"SmartBody wants {self.name} beside the recording; "
+        message = f"SmartBody needs {self.name} beside the recording; "
         return Notice("speech_file_left_out", message + "write to a file (-o act.xml), or ask the service for JSON")
 
 

@@ -45,7 +45,7 @@ def voices() -> argparse.ArgumentParser:
     """`--quiet` and `--json-log`, before or after the command's name; `understudy.cli.log` looks for them."""
     parser = argparse.ArgumentParser(add_help=False)
     voice = parser.add_mutually_exclusive_group()
-    voice.add_argument("--quiet", action="store_true", help="say nothing on standard error but errors")
+    voice.add_argument("--quiet", action="store_true", help="print only errors on standard error")
     voice.add_argument("--json-log", action="store_true", help="one JSON object a line on standard error")
     return parser
 

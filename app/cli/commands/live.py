@@ -41,12 +41,12 @@ def microphone_chunks(rate_hz: int, chunk_s: float) -> Iterator[FloatArray]:
     try:
         import sounddevice  # an extra, which most do without
     except (ImportError, OSError) as error:
-        told = f"no microphone can be heard: {error}; pip install '.[microphone]' with PortAudio, {_INSTEAD}"
+        told = f"no microphone is available: {error}; pip install '.[microphone]' with PortAudio, {_INSTEAD}"
         raise InputError("microphone_missing", told, field="microphone") from None
     try:
         stream = sounddevice.RawInputStream(rate_hz, round(chunk_s * rate_hz), channels=1, dtype="int16")
     except sounddevice.PortAudioError as error:
-        message = f"no microphone can be heard: {error}; {_INSTEAD}"
+        message = f"no microphone is available: {error}; {_INSTEAD}"
         raise InputError("microphone_missing", message, field="microphone") from None
     return _chunks(stream)
 

@@ -194,7 +194,7 @@ def annotation_of(
     by_name = {track.name: track for track in with_attributes(tracks)}
     checking = Checking(path, lexemes, tags)
     for track, span in stray_attributes(tracks):
-        checking.wrong(track.name, span.start_s, f"{span.label!r} is said of nothing: no span is there")
+        checking.wrong(track.name, span.start_s, f"{span.label!r} labels nothing: there is no span")
     made = _whole(by_name, checking) if _has_all(by_name, checking) else None
     if made is None or checking.mistakes:
         raise AnnotationError(sorted(checking.mistakes, key=lambda each: (each.time_s or 0.0, each.track)))

@@ -163,7 +163,9 @@ def lexeme_of(span: TrackSpan, checking: Checking) -> str:
     """The lexeme of a phrase, which must be in the gesture library."""
     lexeme = (span.label or span.attributes.get("lexeme", "")).strip().upper().replace(" ", "_").replace("-", "_")
     if not _LEXEME.fullmatch(lexeme):
-        checking.wrong("phrases", span.start_s, f"{span.label!r} is no lexeme: letters, digits and _, a letter first")
+        checking.wrong(
+            "phrases", span.start_s, f"{span.label!r} is not a lexeme: letters, digits and _, a letter first"
+        )
     elif checking.lexemes is not None and lexeme not in checking.lexemes:
         hint = did_you_mean(lexeme, checking.lexemes)
         checking.wrong("phrases", span.start_s, f"the library has no gesture {lexeme!r}{hint}")

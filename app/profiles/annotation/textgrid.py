@@ -54,7 +54,7 @@ class _TextGridValues:
         for _tier in range(self._count()):
             kind, self.track = self._quoted(), self._quoted()
             if kind not in _KINDS:
-                raise _BrokenError(f"line {self._line}: {kind!r} is no class of tiers; give {' or '.join(_KINDS)}")
+                raise _BrokenError(f"line {self._line}: {kind!r} is not a class of tiers; give {' or '.join(_KINDS)}")
             self._number(), self._number()
             spans = [self._span(_KINDS[kind]) for _entry in range(self._count())]
             if kind == "IntervalTier":
@@ -73,7 +73,7 @@ class _TextGridValues:
         if number is None and value.startswith('"'):
             raise _BrokenError(f"line {self._line}: a number is expected, and there is {value}")
         if number is None:
-            told = f"line {self._line}: {value!r} is no number"
+            told = f"line {self._line}: {value!r} is not a number"
             self.mistakes.append(AnnotationMistake(self._path, told, self.track))
         return number
 

@@ -79,7 +79,7 @@ def read_avatar(content: bytes, rigs: Mapping[str, Rig]) -> Avatar:
         matrices, orientations = _at_rest(file.nodes, parents, frozenset(named.values()))
         _refuse_flat_space(matrices, parents[named["hips"]])
     except (struct.error, ValueError, RecursionError) as error:
-        message = f"the avatar is no GLB or VRM file that can be used: {error}"
+        message = f"the avatar is not a usable GLB or VRM file: {error}"
         raise UndecodableError("avatar_undecodable", message, field="avatar") from None
     return Avatar(tree, file, buffer[: file.buffers[0].byte_length], parents, matrices, orientations, named)
 
@@ -103,7 +103,7 @@ def _finite(text: str) -> float:
 
 
 def _not_finite(text: str) -> NoReturn:
-    raise ValueError(f"{text[:20]} is no number that JSON has")
+    raise ValueError(f"{text[:20]} is not a number that JSON has")
 
 
 def _parents(file: AvatarFile, size: int) -> tuple[int, ...]:
@@ -219,7 +219,7 @@ def _turn(node: Node, matrix: FloatArray, number: int, *, joint: bool) -> FloatA
         return normalized(np.array(node.rotation))
     turn, sizes = turn_and_scale(matrix)
     if joint and np.abs(rotate(np.tile(turn, (3, 1)), np.eye(3)).T * sizes - matrix[:3, :3]).max() > _SHEARED:
-        raise ValueError(f"nodes.{number}.matrix is no rotation, translation and scale, as a joint's must be")
+        raise ValueError(f"nodes.{number}.matrix is not a rotation, translation and scale, as a joint's must be")
     return turn
 
 

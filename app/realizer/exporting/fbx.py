@@ -25,7 +25,7 @@ def blender_command(told: str | None = None) -> tuple[str, ...]:
     if program is None and importlib.util.find_spec("bpy") is not None:
         program = sys.executable
     if program is None or shutil.which(program) is None:
-        where = f"{told} is no program" if told else "there is no blender in the PATH, nor the module bpy"
+        where = f"{told} is not a program" if told else "there is no blender in the PATH, nor the module bpy"
         message = f"FBX is written by Blender: {where}; install it, or say where it is with UNDERSTUDY_BLENDER"
         raise ServiceError("blender_missing", message)
     is_python = Path(program).name.startswith("python")

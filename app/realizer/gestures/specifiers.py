@@ -243,7 +243,7 @@ def track_of(told: str) -> OffsetTrack:
     words = [StatementValue(text, 1, 1) for text in told.split()]
     numbers = words[2:]
     if not 3 <= len(numbers) <= 5 or not all(_NUMBER.fullmatch(word.text) for word in numbers):
-        raise ValueError(f"{told!r} is no track; give form, joint and three angles, as in 'held chest 0 12 0'")
+        raise ValueError(f"{told!r} is not a track; give form, joint and three angles, as in 'held chest 0 12 0'")
     wrong: list[LocatedMistake] = []
     found = tuple(_track(Statement(StatementValue("TRACK", 1, 1), tuple(words[:2]), tuple(numbers)), wrong))
     if wrong:

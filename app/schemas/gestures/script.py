@@ -40,7 +40,7 @@ def _sectors(told: str) -> str:
     counts = [sum(word in known for word in words) for known in (SIDEWAYS, HEIGHTS, DEPTHS)]
     swivels = sum(word in set(Swivel) for word in words)
     if counts != [1, 1, 1] or swivels > 1 or len(words) != 3 + swivels:
-        raise ValueError(f"{told!r} is no place; give one sector each of {_known()}, such as 'XC YCC ZMiddle'")
+        raise ValueError(f"{told!r} is not a place; give one sector each of {_known()}, such as 'XC YCC ZMiddle'")
     return told
 
 
@@ -169,7 +169,7 @@ def read_script(content: bytes) -> Performance:
     except ValidationError as error:
         first = error.errors()[0]
         if first["type"] == "json_invalid":
-            raise UndecodableError("not_json", f"the script is no JSON: {first['msg']}", field="bml") from None
+            raise UndecodableError("not_json", f"the script is not JSON: {first['msg']}", field="bml") from None
         told = "; ".join(f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.errors())
         raise InputError("script_wrong", f"the gesture script: {told}", field="bml") from None
     script = _script(form)

@@ -121,7 +121,7 @@ def read_answers(paths: Sequence[Path], key: Path | None = None) -> Answers:
     told = _key(paths, key)
     kinds = [_comparison(table, told) for table in tables]
     if len(set(kinds)) > 1:
-        message = f"answers about {kinds[-1]}, and those of {paths[0]} are about {kinds[0]}; score them apart"
+        message = f"answers about {kinds[-1]}, and those of {paths[0]} are about {kinds[0]}; score them separately"
         raise AnswersError([CellMistake(paths[-1], 1, message)])
     reading = _TableReading(kinds[0], told)
     for table in tables:

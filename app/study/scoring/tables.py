@@ -93,7 +93,7 @@ def read_table(path: Path) -> Table:
 def _text(path: Path) -> str:
     try:
         if path.stat().st_size > LARGEST_BYTES:
-            message = f"{path}: larger than {LARGEST_BYTES >> 20} MB; these are no answers"
+            message = f"{path}: larger than {LARGEST_BYTES >> 20} MB; this is not a file of answers"
             raise InputError("file_too_large", message, field="answers")
         return path.read_bytes().decode("utf-8-sig")
     except OSError as error:

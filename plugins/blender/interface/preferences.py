@@ -25,7 +25,7 @@ class UnderstudyPreferences(bpy.types.AddonPreferences):
         ],
     )
     url: StringProperty(name="URL", default="http://127.0.0.1:8000")
-    key: StringProperty(name="Key", subtype="PASSWORD", description="The API key that the service asks for")
+    key: StringProperty(name="Key", subtype="PASSWORD", description="The API key of the service")
     command: StringProperty(name="Command", default="understudy", subtype="FILE_PATH")
 
     def draw(self, _context: Any) -> None:

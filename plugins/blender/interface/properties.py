@@ -20,7 +20,7 @@ class TargetSettings(bpy.types.PropertyGroup):
     """Something to look and point at."""
 
     thing: PointerProperty(
-        type=bpy.types.Object, name="Object", description="The object that words with this name point and look at"
+        type=bpy.types.Object, name="Object", description="The object to point and look at for words with this name"
     )
 
 
@@ -167,7 +167,7 @@ class LineSettings(bpy.types.PropertyGroup):
     sparse_keys: BoolProperty(
         name="Sparse Keys",
         default=True,
-        description="Bake only the keys that the motion needs, within .25°",
+        description="Bake only the keys needed to keep the motion within .25°",
     )
 
 

@@ -109,7 +109,7 @@ def read_clip(content: bytes) -> Clip:
     except ValueError as error:
         raise ValueError(f"the motion that was answered is not JSON: {error}") from None
     if not isinstance(written, dict) or (written.get("format"), written.get("version")) != ("understudy-clip", 1):
-        raise ValueError("the motion that was answered is no understudy-clip of version 1; update the add-on")
+        raise ValueError("the service's motion is not an understudy-clip of version 1; update the add-on")
     frames, start_s = int(written["frames"]), float(written["audio_offset_s"])
     joints = written["skeleton"]["joints"]
     return Clip(

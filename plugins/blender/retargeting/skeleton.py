@@ -13,7 +13,7 @@ SIDED = (
 JOINTS = (*TRUNK, *(side + part for part in SIDED for side in SIDES))
 
 NEEDED = ("hips", "head", *(side + part for part in ("UpperArm", "LowerArm", "Hand") for side in SIDES))
-"""Joints without which an armature is no humanoid that can perform."""
+"""Joints without which an armature is not a humanoid that can perform."""
 
 HEAD = frozenset({"neck", "head"})
 EYES = frozenset({"leftEye", "rightEye"})

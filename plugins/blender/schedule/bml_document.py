@@ -48,7 +48,7 @@ _REFERENCE = re.compile(r"^\s*(?P<point>[A-Za-z_][\w.]*(?::[\w.]+)+)\s*(?P<offse
 
 
 class WrongBmlError(ValueError):
-    """A file that is no BML; the message says why."""
+    """A file that is not BML; the message says why."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,7 +133,7 @@ def _parsed(bml: bytes) -> minidom.Document:
     try:
         return minidom.parseString(bml)
     except (ExpatError, ValueError) as error:
-        raise WrongBmlError(f"this is no BML: {error}") from None
+        raise WrongBmlError(f"this is not BML: {error}") from None
 
 
 def _elements(document: minidom.Document) -> Iterator[minidom.Element]:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 
 class ScriptError(ValueError):
-    """A file that is no script; the message says why, and where."""
+    """A file that is not a script; the message says why, and where."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -130,10 +130,10 @@ def test_numbers_in_json_are_those_of_the_command_line() -> None:
 @pytest.mark.parametrize(
     ("told", "reason"),
     [
-        ("furious", "'furious' is no tone"),
+        ("furious", "'furious' is not a tone"),
         ("1,2", "no three numbers"),
-        ("0,0,1.5", "'1.5' is no number from -1 to 1"),
-        ("0,nan,0", "'nan' is no number"),
+        ("0,0,1.5", "'1.5' is not a number from -1 to 1"),
+        ("0,nan,0", "'nan' is not a number"),
     ],
 )
 def test_what_is_wrong_is_told(told: str, reason: str) -> None:
@@ -150,8 +150,8 @@ def test_what_is_wrong_is_told(told: str, reason: str) -> None:
         (HEADER.encode(), "a row for each time"),
         ((HEADER + "0,0,0\n").encode(), "track.csv:2: 3 cells"),
         ((HEADER + "0,0,0,0\n0,0,0,0\n").encode(), "track.csv:3: the time 0 s is not after"),
-        ((HEADER + "-1,0,0,0\n").encode(), "track.csv:2: '-1' is no time"),
-        ((HEADER + "0,0,0,2\n").encode(), "'2' is no number"),
+        ((HEADER + "-1,0,0,0\n").encode(), "track.csv:2: '-1' is not a time"),
+        ((HEADER + "0,0,0,2\n").encode(), "'2' is not a number"),
         (b"\xff\xfe", "no CSV in UTF-8"),
     ],
 )

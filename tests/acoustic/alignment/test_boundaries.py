@@ -144,7 +144,7 @@ def test_beside_the_samples_long_audio_needs_little() -> None:
 def test_a_file_that_is_no_model_is_named(tmp_path: Path) -> None:
     path = tmp_path / "boundaries.npz"
     path.write_bytes(b"nothing")
-    with pytest.raises(ServiceError, match=r"boundaries\.npz is no boundary model") as caught:
+    with pytest.raises(ServiceError, match=r"boundaries\.npz is not a boundary model") as caught:
         BoundaryModel.load(path)
     assert caught.value.code == "model_unreadable"
 

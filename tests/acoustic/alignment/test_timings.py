@@ -221,5 +221,5 @@ def test_without_a_mark_after_it_the_last_word_lasts_as_usual() -> None:
 
 def test_a_line_that_is_no_mark_is_told() -> None:
     content = _marks((0, "word", "one")) + b'{"time": "soon", "type": "word"}\n'
-    with pytest.raises(UndecodableError, match="line 2 is no speech mark: time: Input should be a valid number"):
+    with pytest.raises(UndecodableError, match="line 2 is not a speech mark: time: Input should be a valid number"):
         read_timings(content, "json", _words("one"), duration_s=2.0)

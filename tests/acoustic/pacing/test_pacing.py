@@ -73,5 +73,5 @@ def test_every_mistake_of_the_table_is_told_with_its_place(tmp_path: Path) -> No
     file.write_text(text.replace('"!": 0.55', '"no": 0.55').replace("end_s: 0.5", "end_s: long"), encoding="utf-8")
     with pytest.raises(AuthoringError) as wrong:
         PauseTable.load(file)
-    assert "'no' is no punctuation mark" in str(wrong.value)
+    assert "'no' is not a punctuation mark" in str(wrong.value)
     assert len(wrong.value.mistakes) == 2

@@ -68,7 +68,7 @@ def test_all_worksheets_that_look_alike_are_read(tmp_path: Path) -> None:
     ]
     assert [str(problem) for problem in script.problems] == [
         "sheet 'Act 2', row 4, column C (Line): no words; write what is spoken",
-        "sheet 'Act 2', row 3: 'A1_02' is sheet 'Act 1', row 3's already; give each line an id of its own",
+        "sheet 'Act 2', row 3: 'A1_02' is sheet 'Act 1', row 3's already; give each line its own id",
     ]
     (remark,) = script.remarks
     assert "read worksheets 'Act 1', 'Act 2'; left out 'Info', 'Budget'" in remark

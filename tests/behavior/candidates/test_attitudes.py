@@ -70,4 +70,4 @@ def test_mistakes_are_told_with_their_places(tmp_path: Path) -> None:
         load_attitudes(path, {"smile"}, {"smile"})
     told = [mistake.message for mistake in raised.value.mistakes]
     assert told[0] == "no behaviour is called 'smil'; did you mean 'smile'?"
-    assert told[1].startswith("'grin' is no kind of face")
+    assert told[1].startswith("'grin' is not a kind of face")

@@ -64,7 +64,7 @@ def test_amplitude_sizes_what_has_a_size(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("pose", ["rest_hands_foldet", "big_nod"])
 def test_a_rest_pose_is_a_posture_of_the_table(tmp_path: Path, pose: str) -> None:
-    with pytest.raises(AuthoringError, match="is no posture") as caught:
+    with pytest.raises(AuthoringError, match="is not a posture") as caught:
         Characters.load(lexicon(tmp_path, wrong=f"{SHEET}rest_poses: [{pose}]\n"))
     assert [mistake.line for mistake in caught.value.mistakes] == [4]
 

@@ -60,5 +60,5 @@ def test_worths_and_log_odds_are_each_others_way_back() -> None:
 def test_a_broken_file_is_told(tmp_path: Path, content: str) -> None:
     path = tmp_path / "weights.json"
     path.write_text(content)
-    with pytest.raises(ServiceError, match=r"weights\.json is no model of gesture choice"):
+    with pytest.raises(ServiceError, match=r"weights\.json is not a model of gesture choice"):
         ChoiceModel.load(path)

@@ -122,7 +122,7 @@ def test_no_words_and_words_beyond_the_longest_line(encoder: Encoder) -> None:
 def test_a_broken_file_is_told(tmp_path: Path, content: bytes) -> None:
     path = tmp_path / "encoder.onnx"
     path.write_bytes(content)
-    with pytest.raises(ServiceError, match=r"encoder\.onnx is no model"):
+    with pytest.raises(ServiceError, match=r"encoder\.onnx is not a model"):
         Encoder.load(path)
 
 

@@ -103,7 +103,7 @@ shows:
     [
         (("[gesture_me]", "[gesture_mee]"), 2, "no behaviour is called 'gesture_mee'; did you mean 'gesture_me'"),
         (("[half_nod]", "[smile]"), 4, "smile is a behaviour of face; head wants one of head or posture"),
-        (("ME: [self]", "ME: [selfish]"), 8, "'selfish' is no family of gestures; did you mean 'self'"),
+        (("ME: [self]", "ME: [selfish]"), 8, "'selfish' is not a family of gestures; did you mean 'self'"),
         (("[gesture_me]", "[gesture_you]"), 8, "YOU is missing"),
         (("[gesture_me]", "[{behavior: gesture_me, lemmas: [My]}]"), 2, "pattern"),
         (("[gesture_me]", "[{behavior: gesture_me, agitation: [wild]}]"), 2, "'low', 'medium' or 'high'"),

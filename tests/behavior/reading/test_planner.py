@@ -25,8 +25,8 @@ def test_every_mistake_is_told_with_its_place(tmp_path: Path) -> None:
     with pytest.raises(AuthoringError) as raised:
         load_weights(path, FAMILIES, TERMS)
     assert [(mistake.line, mistake.message) for mistake in raised.value.mistakes] == [
-        (2, "'voice(stresed)' is no term; did you mean 'voice(stressed)'?"),
-        (3, "'negatoin' is no family of gestures; did you mean 'negation'?"),
+        (2, "'voice(stresed)' is not a term; did you mean 'voice(stressed)'?"),
+        (3, "'negatoin' is not a family of gestures; did you mean 'negation'?"),
     ]
 
 

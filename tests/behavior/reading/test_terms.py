@@ -30,7 +30,7 @@ def test_a_fact_gives_its_words_a_term_named_by_its_arguments(tmp_path: Path) ->
 @pytest.mark.parametrize(
     ("line", "told"),
     [
-        ("moode: {name: mood, span: [1, 2]}", "'moode' is no predicate of the rules; did you mean 'mood'?"),
+        ("moode: {name: mood, span: [1, 2]}", "'moode' is not a predicate of the rules; did you mean 'mood'?"),
         ("mood: {name: mood, span: [3, 4]}", "mood has the arguments 0 to 3, none called '4'"),
         ('mood: {name: "mood({kind})", span: [1, 2]}', "mood has the arguments 0 to 3, none called 'kind'"),
     ],

@@ -43,7 +43,7 @@ def test_the_number_and_the_name_of_a_match() -> None:
 
 @pytest.mark.parametrize(
     ("pattern", "told"),
-    [("<thongs>", "no set is called 'thongs'"), ("a/noun", "is no element"), ("the? ...", "needs a word")],
+    [("<thongs>", "no set is called 'thongs'"), ("a/noun", "is not an element"), ("the? ...", "needs a word")],
 )
 def test_mistakes_are_told(pattern: str, told: str) -> None:
     with pytest.raises(ValueError, match=told):

@@ -31,9 +31,9 @@ def load(tmp_path: Path, text: str) -> SlotTable:
         ("  heigth: []", (9, 11, "did you mean 'height'")),
         ("  height: [{is: chlid, words: [this tall]}]", (9, 17, "no value of height; did you mean 'child'")),
         ("  height: [{is: child, words: [this <chld>]}]", (9, 32, "no set is called 'chld'")),
-        ("  count: [{is: '11', words: [eleven]}]", (9, 16, "'11' is no value of count")),
-        ("  count: [{is: '²', words: [two]}]", (9, 16, "'²' is no value of count")),
-        (f"  count: [{{is: '{'9' * 5000}', words: [many]}}]", (9, 16, "is no value of count")),
+        ("  count: [{is: '11', words: [eleven]}]", (9, 16, "'11' is not a value of count")),
+        ("  count: [{is: '²', words: [two]}]", (9, 16, "'²' is not a value of count")),
+        (f"  count: [{{is: '{'9' * 5000}', words: [many]}}]", (9, 16, "is not a value of count")),
     ],
 )
 def test_a_mistake_is_told_with_its_place(tmp_path: Path, slots: str, told: tuple[int, int, str]) -> None:
@@ -45,7 +45,7 @@ def test_a_mistake_is_told_with_its_place(tmp_path: Path, slots: str, told: tupl
 
 
 def test_a_family_that_does_not_exist_is_told(tmp_path: Path) -> None:
-    with pytest.raises(AuthoringError, match="'shapes' is no family"):
+    with pytest.raises(AuthoringError, match="'shapes' is not a family"):
         load(tmp_path, HEAD.replace("[shape]", "[shapes]") + "  height: []")
 
 

@@ -68,9 +68,9 @@ def test_intervals_with_labels(text: str, encoding: str) -> None:
 @pytest.mark.parametrize(
     ("changed", "told"),
     [
-        (("xmax = 1.5", "xmax = 1.5s"), ["x: words: line 17: '1.5s' is no number"]),
-        (("xmin = 1.5", "xmin = nan"), ["x: words: line 20: 'nan' is no number"]),
-        (('"IntervalTier"', '"Intervals"'), ["x: words: line 11: 'Intervals' is no class of tiers"]),
+        (("xmax = 1.5", "xmax = 1.5s"), ["x: words: line 17: '1.5s' is not a number"]),
+        (("xmin = 1.5", "xmin = nan"), ["x: words: line 20: 'nan' is not a number"]),
+        (('"IntervalTier"', '"Intervals"'), ["x: words: line 11: 'Intervals' is not a class of tiers"]),
         (("intervals: size = 2", "intervals: size = 3"), ["x: words: line 24: a number is expected"]),
         (("points: size = 1", "points: size = 2"), ["x: clicks: line 31: the file ends before"]),
         (("ooTextFile", "ooBinaryFile"), ["x: not a TextGrid"]),

@@ -24,7 +24,7 @@ def test_without_blender_it_is_said_what_would_help(monkeypatch: pytest.MonkeyPa
         with pytest.raises(ServiceError, match="UNDERSTUDY_BLENDER") as caught:
             blender_command()
         assert caught.value.code == "blender_missing"
-    with pytest.raises(ServiceError, match="nowhere/blender is no program"):
+    with pytest.raises(ServiceError, match="nowhere/blender is not a program"):
         blender_command("nowhere/blender")
 
 

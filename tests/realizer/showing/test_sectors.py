@@ -86,7 +86,7 @@ def test_a_stroke_without_preparation_begins_where_the_one_before_ended() -> Non
 
 @pytest.mark.parametrize("told", ["XC YCC", "XC YCC ZMiddle ZNear", "XC YCC ZMid", "XC YCC ZMiddle bent"])
 def test_what_is_no_place_is_refused(told: str) -> None:
-    with pytest.raises(InputError, match=r"gestures\.0\.from: .*is no place; give one sector each of XEP"):
+    with pytest.raises(InputError, match=r"gestures\.0\.from: .*is not a place; give one sector each of XEP"):
         read_script(_script(_gesture() | {"from": told}))
 
 
@@ -140,7 +140,7 @@ def test_offset_tracks_of_a_script_are_added_to_the_gestures_own(understudy: Und
 @pytest.mark.parametrize(
     ("track", "told"),
     [
-        ("held chest 0 12", "'held chest 0 12' is no track; give form, joint and three angles"),
+        ("held chest 0 12", "'held chest 0 12' is not a track; give form, joint and three angles"),
         ("held chset 0 12 0", "chset"),
         ("held chest 0 60 0", "60 is outside -45 … 45°"),
         ("circling Hand 0 12 0", "says its turns after the angles"),

@@ -147,7 +147,7 @@ def test_a_clip_of_another_study_is_told(tmp_path: Path) -> None:
 def test_two_comparisons_are_not_mixed(tmp_path: Path) -> None:
     ratings = _file(tmp_path, "a.csv", "rater,line,condition,rating\n1,one,semantic,5\n")
     choices = _file(tmp_path, "b.csv", "rater,line,dimension,answer\n1,two,natural,U\n")
-    with pytest.raises(AnswersError, match="score them apart"):
+    with pytest.raises(AnswersError, match="score them separately"):
         read_answers([ratings, choices])
 
 

@@ -154,9 +154,9 @@ def _values(element: etree._Element) -> Iterator[str]:
         elif name in CLOSED and value not in CLOSED[name]:
             yield f"{where} is none of {', '.join(sorted(CLOSED[name]))}"
         elif name in WHOLE and not re.fullmatch(r"\d+", value):
-            yield f"{where} is no whole number"
+            yield f"{where} is not a whole number"
         elif name in DECIMAL_ATTRIBUTES and not DECIMAL.fullmatch(value):
-            yield f"{where} is no fixed decimal"
+            yield f"{where} is not a fixed decimal"
         elif name in (*STROKED, "attackPeak") and not (DECIMAL.fullmatch(value) or REFERENCE.fullmatch(value)):
             yield f"{where} is neither a fixed decimal nor a reference"
         elif name in ("id", "characterId") and not ID.fullmatch(value):

@@ -92,7 +92,7 @@ def _points(part: etree._Element, marks: set[str]) -> Iterator[str]:
             continue
         reference = REFERENCE.fullmatch(told)
         if reference is None or f"{reference[1]}:{reference[2]}" not in marks:
-            yield f"{part.get('id')}: {name} {told} is no time and no mark of the speech"
+            yield f"{part.get('id')}: {name} {told} is neither a time nor a mark of the speech"
 
 
 def _gesture(gesture: etree._Element) -> Iterator[str]:

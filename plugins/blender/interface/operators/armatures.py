@@ -35,7 +35,7 @@ class AddMannequin(JobOperator):
 
 
 class FindBones(bpy.types.Operator):
-    """Find the armature's bones by their names, and list them so that they can be changed"""
+    """Match the armature's bones by name and list them for editing"""
 
     bl_idname = "understudy.find_bones"
     bl_label = "Find Bones"

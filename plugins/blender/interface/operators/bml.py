@@ -26,7 +26,9 @@ class ImportBml(JobOperator, ImportHelper):
 
     filename_ext = ".bml"
     filter_glob: bpy.props.StringProperty(default="*.bml;*.xml", options={"HIDDEN"})
-    audio: bpy.props.StringProperty(name="Recording", subtype="FILE_PATH", description="Of the speech, if there is one")
+    audio: bpy.props.StringProperty(
+        name="Recording", subtype="FILE_PATH", description="The recording of the speech, if there is one"
+    )
 
     by_hand: bpy.props.BoolProperty(options={"HIDDEN", "SKIP_SAVE"})
 
@@ -66,7 +68,7 @@ class ImportBml(JobOperator, ImportHelper):
 
 
 class ExportBml(bpy.types.Operator, ExportHelper):
-    """Write the performance's BML as its strips are now"""
+    """Export the performance's BML with its strips as they are now"""
 
     bl_idname = "understudy.export_bml"
     bl_label = "Export BML"

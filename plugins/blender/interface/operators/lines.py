@@ -33,7 +33,7 @@ class Perform(JobOperator):
 
 
 class PerformAll(JobOperator):
-    """Perform every sound strip with words that was not performed yet, by the armature that its 'character' names"""
+    """Perform every sound strip that has words and no performance, on the armature that its 'character' names"""
 
     bl_idname = "understudy.perform_all"
     bl_label = "Perform All Strips"
@@ -57,7 +57,7 @@ class PerformAll(JobOperator):
 
 
 class Forget(bpy.types.Operator):
-    """Take the performance away: its strips, actions and texts"""
+    """Remove the performance: its strips, actions and texts"""
 
     bl_idname = "understudy.forget"
     bl_label = "Remove Performance"
@@ -71,7 +71,7 @@ class Forget(bpy.types.Operator):
 
 
 class Cancel(bpy.types.Operator):
-    """End what is under way"""
+    """Cancel the current job"""
 
     bl_idname = "understudy.cancel"
     bl_label = "Cancel"

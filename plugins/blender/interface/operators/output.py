@@ -15,14 +15,14 @@ from ..requests import performer_of
 
 
 class Bake(bpy.types.Operator):
-    """Key what is performed into one action, and mute the tracks that it was made of"""
+    """Bake the performance into one action and mute its source tracks"""
 
     bl_idname = "understudy.bake"
     bl_label = "Bake to Action"
     bl_options = {"REGISTER", "UNDO"}
 
     sparse: bpy.props.BoolProperty(
-        name="Sparse Keys", default=True, description="Only the keys that the motion needs, within a quarter degree"
+        name="Sparse Keys", default=True, description="Only the keys needed to keep the motion within a quarter degree"
     )
 
     def execute(self, context: Any) -> set[str]:
@@ -37,10 +37,10 @@ class Bake(bpy.types.Operator):
 
 
 class Unbake(bpy.types.Operator):
-    """Remove the baked action; the tracks play again"""
+    """Remove the baked action and unmute its source tracks"""
 
     bl_idname = "understudy.unbake"
-    bl_label = "Take Baking Back"
+    bl_label = "Remove Baked Action"
     bl_options = {"REGISTER", "UNDO"}
 
     def execute(self, context: Any) -> set[str]:

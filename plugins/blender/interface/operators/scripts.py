@@ -11,7 +11,7 @@ from ...scripts.reading import read_script, recordings
 
 
 class ImportScript(bpy.types.Operator, ImportHelper):
-    """Lay the recordings of a script (CSV, SRT, Fountain) as sound strips with their words"""
+    """Add the recordings of a script (CSV, SRT, Fountain) as sound strips with their words"""
 
     bl_idname = "understudy.import_script"
     bl_label = "Import Script"

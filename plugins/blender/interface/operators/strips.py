@@ -28,7 +28,7 @@ class NoPerformanceError(ValueError):
 
 
 class PlayStrips(JobOperator):
-    """Play the strips as they lie now: moved, longer, muted or deleted"""
+    """Update the motion to the strips as they are now: moved, resized, muted or deleted"""
 
     bl_idname = "understudy.play_strips"
     bl_label = "Play Strips"
@@ -53,7 +53,7 @@ class PlayStrips(JobOperator):
 
 
 class PerformAgain(JobOperator):
-    """Perform another take of the line: strips that were moved, muted or locked stay so, the rest is chosen anew"""
+    """Perform another take of the line: moved, muted and locked strips are kept, the rest is chosen again"""
 
     bl_idname = "understudy.perform_again"
     bl_label = "Perform Again"
@@ -80,7 +80,7 @@ class PerformAgain(JobOperator):
 
 
 class LockStrips(bpy.types.Operator):
-    """Keep the selected strips as they are in every take of this line"""
+    """Keep the selected strips unchanged in every take of this line"""
 
     bl_idname = "understudy.lock_strips"
     bl_label = "Lock Selected Strips"
@@ -99,7 +99,7 @@ class LockStrips(bpy.types.Operator):
 
 
 class ClearNotes(bpy.types.Operator):
-    """Forget a note, or all notes on the line; the next take is made without"""
+    """Remove a note, or all notes on the line; the next take ignores them"""
 
     bl_idname = "understudy.clear_notes"
     bl_label = "Clear Notes"

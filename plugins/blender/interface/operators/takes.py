@@ -31,7 +31,7 @@ class _TakeOperator(bpy.types.Operator):
 
 
 class ShowTake(_TakeOperator):
-    """Lay this take on the armature; the one that lies there is put aside"""
+    """Apply this take to the armature; the current take stays in the list"""
 
     bl_idname = "understudy.show_take"
     bl_label = "Show Take"
@@ -43,7 +43,7 @@ class ShowTake(_TakeOperator):
 
 
 class RemoveTake(_TakeOperator):
-    """Forget this take, with its actions"""
+    """Delete this take and its actions"""
 
     bl_idname = "understudy.remove_take"
     bl_label = "Remove Take"

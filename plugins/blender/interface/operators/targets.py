@@ -6,7 +6,7 @@ import bpy
 
 
 class AddTarget(bpy.types.Operator):
-    """Add the selected objects to what can be looked and pointed at, or an empty entry"""
+    """Add the selected objects as targets of gaze and pointing, or an empty entry"""
 
     bl_idname = "understudy.add_target"
     bl_label = "Add Target"
@@ -22,7 +22,7 @@ class AddTarget(bpy.types.Operator):
 
 
 class RemoveTarget(bpy.types.Operator):
-    """Take the entry out of the list"""
+    """Remove the entry from the list"""
 
     bl_idname = "understudy.remove_target"
     bl_label = "Remove Target"
