@@ -20,17 +20,15 @@ import numpy as np
 from ...errors import ServiceError
 from ...model import Affect
 from ...model.voice.signal import SpeakerReference
-from ..focus.listeners import Session
+from ...onnx_sessions import OnnxSession, load_session
 from .affect_model import DIMENSIONS
 from .dimensions import affect_of_dimensions
 from .line_affect import Stretch
 
 USUAL_ORDER = ("activation", "dominance", "valence")
 _ALSO = {"arousal": "activation"}
-_ONLY_ERRORS = 3
-"""The log severity of ONNX Runtime: errors, but no warnings about the machine."""
-
 _LEAST_DEVIATION = 1e-7
+_KIND = "a model of affect"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -38,7 +36,7 @@ class WaveformModel:
     """A loaded file: the name of its input and whether that has a batch axis, its outputs, the dimensions that they
     give in order, and the lowest and highest number."""
 
-    session: Session
+    session: OnnxSession
     samples: str
     batched: bool
     outputs: tuple[str, ...]
@@ -49,15 +47,7 @@ class WaveformModel:
     @classmethod
     def load(cls, path: Path) -> "WaveformModel":
         """Raises ServiceError `model_unreadable` where the file is missing, no ONNX, or has other inputs or outputs."""
-        import onnxruntime
-
-        options = onnxruntime.SessionOptions()
-        options.intra_op_num_threads = options.inter_op_num_threads = 1
-        options.log_severity_level = _ONLY_ERRORS
-        try:
-            session = onnxruntime.InferenceSession(path.read_bytes(), options, providers=["CPUExecutionProvider"])
-        except _load_errors() as error:
-            raise _unreadable(path, str(error)) from error
+        session = load_session(path, _KIND)
         metadata = session.get_modelmeta().custom_metadata_map
         inputs, outputs = session.get_inputs(), [output.name for output in session.get_outputs()]
         if len(inputs) != 1 or len(inputs[0].shape) not in (1, 2):
@@ -103,12 +93,5 @@ def _range(path: Path, named: Sequence[str], metadata: Mapping[str, str]) -> tup
     return lowest, highest
 
 
-def _load_errors() -> tuple[type[Exception], ...]:
-    """What is raised for a file that is missing or no model."""
-    from onnxruntime.capi import onnxruntime_pybind11_state as errors
-
-    return (OSError, errors.Fail, errors.InvalidArgument, errors.InvalidGraph, errors.InvalidProtobuf)
-
-
 def _unreadable(path: Path, reason: str) -> ServiceError:
-    return ServiceError("model_unreadable", f"{path} is not a model of affect: {reason}")
+    return ServiceError("model_unreadable", f"{path} is not {_KIND}: {reason}")

@@ -7,16 +7,14 @@ prominence does, the two together better still (`benchmarks/acoustic/prominence.
 little.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ...errors import ServiceError
 from ...model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, FloatArray, Interval, SingleArray, Word
+from ...onnx_sessions import OnnxSession, load_session
 from ..signal.fourier import rfft
 from ..signal.frames import SHIFT_SAMPLES, blocks_of_frames, product
 from ..signal.spectrum import mel_filters
@@ -31,37 +29,18 @@ _LEAST_BAND = 1e-5
 _QUIETEST = 1e-6
 _SHORTEST_SILENCE_S = 0.001
 _HANN = np.hanning(WINDOW_SAMPLES + 1)[:-1].astype(np.float32)
-_ONLY_ERRORS = 3
-"""The log severity of ONNX Runtime: errors, but no warnings about the machine."""
-
-
-class Session(Protocol):
-    """The part of ONNX Runtime's `InferenceSession` that we use; the library has no types."""
-
-    def run(self, output_names: Sequence[str], input_feed: Mapping[str, NDArray[Any]]) -> Sequence[NDArray[Any]]: ...
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Listeners:
     """The network, as it was taught; thread-safe."""
 
-    session: Session
+    session: OnnxSession
 
     @classmethod
     def load(cls, path: Path) -> "Listeners":
         """Raises ServiceError `model_unreadable` where the file is missing or not such a model."""
-        import onnxruntime
-        from onnxruntime.capi import onnxruntime_pybind11_state as state
-
-        options = onnxruntime.SessionOptions()
-        # A line is too short to be shared among processors, and threads of its own would not survive a fork.
-        options.intra_op_num_threads = options.inter_op_num_threads = 1
-        options.log_severity_level = _ONLY_ERRORS
-        try:
-            content = path.read_bytes()
-            return cls(onnxruntime.InferenceSession(content, options, providers=["CPUExecutionProvider"]))
-        except (OSError, state.Fail, state.InvalidProtobuf, state.InvalidGraph, state.InvalidArgument) as error:
-            raise ServiceError("model_unreadable", f"{path} is not a model for emphases: {error}") from error
+        return cls(load_session(path, "a model for emphases"))
 
     def heard(self, audio: Audio, words: tuple[Word, ...]) -> dict[int, float]:
         """The log odds by the index of each word that has an interval."""

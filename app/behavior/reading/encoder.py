@@ -19,13 +19,14 @@ from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
 from types import MappingProxyType
-from typing import Protocol, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import ServiceError
 from ...model import LineAffect, SingleArray, Tone, Utterance
+from ...onnx_sessions import OnnxSession, load_session
 
 NEIGHBOURS = (-2, -1, 1, 2)
 """The words around a word whose shares of the focus are features of it."""
@@ -103,19 +104,11 @@ def _affect_features(affect: LineAffect, word: int) -> tuple[float, ...]:
 
 Integers: TypeAlias = NDArray[np.int64]
 
+_KIND = "a model for directing lines"
+_METADATA = ("pieces", "families", "head", "face", "gaze")
+
 MOST_PIECES = 126
 """The most pieces between [CLS] and [SEP]; words beyond have worth 0."""
-
-_ONLY_ERRORS = 3
-"""The log severity of ONNX Runtime: errors, but no warnings about the machine."""
-
-
-class EncoderSession(Protocol):
-    """The part of ONNX Runtime's `InferenceSession` that we use; the library has no types."""
-
-    def run(
-        self, output_names: Sequence[str], input_feed: Mapping[str, "NDArray[np.int64] | SingleArray"]
-    ) -> Sequence[SingleArray]: ...
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -143,30 +136,24 @@ class Encoder:
     head: tuple[str, ...]
     face: tuple[str, ...]
     gaze: tuple[str, ...]
-    session: EncoderSession
+    session: OnnxSession
 
     @classmethod
     def load(cls, path: Path) -> "Encoder":
         """Raises ServiceError `model_unreadable` where the file is missing or not such a model."""
-        import onnxruntime
-
-        options = onnxruntime.SessionOptions()
-        # A line is too short to be shared among processors, and threads of its own would not survive a fork.
-        options.intra_op_num_threads = options.inter_op_num_threads = 1
-        options.log_severity_level = _ONLY_ERRORS
-        try:
-            session = onnxruntime.InferenceSession(path.read_bytes(), options, providers=["CPUExecutionProvider"])
-            named = session.get_modelmeta().custom_metadata_map
-            return cls(
-                pieces=MappingProxyType({piece: number for number, piece in enumerate(named["pieces"].split("\n"))}),
-                families=tuple(named["families"].split("\n")),
-                head=tuple(named["head"].split("\n")),
-                face=tuple(named["face"].split("\n")),
-                gaze=tuple(named["gaze"].split("\n")),
-                session=session,
-            )
-        except _load_errors() as error:
-            raise ServiceError("model_unreadable", f"{path} is not a model for directing lines: {error}") from error
+        session = load_session(path, _KIND)
+        named: Mapping[str, str] = session.get_modelmeta().custom_metadata_map
+        missing = [name for name in _METADATA if name not in named]
+        if missing:
+            raise ServiceError("model_unreadable", f"{path} is not {_KIND}: it has no metadata {', '.join(missing)}")
+        return cls(
+            pieces=MappingProxyType({piece: number for number, piece in enumerate(named["pieces"].split("\n"))}),
+            families=tuple(named["families"].split("\n")),
+            head=tuple(named["head"].split("\n")),
+            face=tuple(named["face"].split("\n")),
+            gaze=tuple(named["gaze"].split("\n")),
+            session=session,
+        )
 
     def read(self, words: Sequence[str], delivery: Delivery = WORDS_ALONE) -> Reading:
         """The reading of a line as it is delivered; `words` are as written, with their punctuation."""
@@ -205,21 +192,6 @@ class Encoder:
         at_word, nearby, stroke, head, face, gaze, manner = np.split(likely, np.cumsum(sizes)[:-1], axis=1)
         size, speed = 2 * manner.mean(axis=0) - 1 if len(likely) else (0.0, 0.0)
         return Reading(at_word, nearby, stroke[:, 0], head, face, gaze, size=float(size), speed=float(speed))
-
-
-def _load_errors() -> tuple[type[Exception], ...]:
-    """The errors for a file that is not a model, that ONNX Runtime cannot run, or that lacks our metadata."""
-    from onnxruntime.capi import onnxruntime_pybind11_state as state
-
-    return (
-        OSError,
-        KeyError,
-        state.Fail,
-        state.InvalidProtobuf,
-        state.InvalidGraph,
-        state.InvalidArgument,
-        state.NotImplemented,
-    )
 
 
 UNKNOWN, FIRST, LAST = "[UNK]", "[CLS]", "[SEP]"
