@@ -60,7 +60,7 @@ format: .venv/installed-test
 
 # The documentation as a site in out/site; a link that leads nowhere fails.
 docs: .venv/installed
-	$(BIN)/pip install --quiet --disable-pip-version-check "mkdocs-material>=9.6,<10" "mkdocs>=1.6,<2"
+	$(BIN)/pip install --quiet --disable-pip-version-check --editable '.[docs]'
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --quiet
 
 # The figures that can be taken in some minutes without further data: speed, start-up, structure.

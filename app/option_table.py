@@ -80,7 +80,7 @@ def _table(options: Iterable[Option]) -> Mapping[str, Option]:
 
 _CHARACTER = Option(
     "character",
-    "who performs",
+    "the performing character",
     default=DEFAULT_CHARACTER,
     default_told="`default`",
     metavar="NAME",
@@ -90,14 +90,14 @@ _CHARACTER = Option(
 )
 _AGITATION = Option(
     "agitation",
-    "how agitated the speaker is",
+    "the speaker's level of agitation",
     choices=tuple(Level),
     unset="as measured in the voice",
     examples=("high",),
 )
 _SEED = Option(
     "seed",
-    "another number draws another take",
+    "random seed; every value gives another take",
     int,
     0,
     limits=(-LARGEST_SEED, LARGEST_SEED),
@@ -107,7 +107,7 @@ _SEED = Option(
 )
 _STILLNESS = Option(
     "stillness",
-    "reduce all movement; at 1 only breath, blinks and lips are left",
+    "reduce all movement; at 1 only breathing, blinks and lips remain",
     float,
     0.0,
     limits=(0, 1),
@@ -131,7 +131,7 @@ PERFORMANCE = _table(
         _SEED,
         Option(
             "choice",
-            "how movements are chosen: terms, the one choice, or the paper's by priority",
+            "how movements are chosen: by weighted terms, or by priority as in the paper",
             choices=("terms", "priority"),
             unset="as the character or UNDERSTUDY_CHOICE says",
         ),
@@ -143,10 +143,10 @@ PERFORMANCE = _table(
             command_help=": other recordings in various moods, or the REF.json that understudy reference made of them",
             request_help=": what `understudy reference` writes",
         ),
-        Option("mode", "gestures from the meaning, the stress, or chance", default=Mode.SEMANTIC, choices=tuple(Mode)),
+        Option("mode", "source of gestures: meaning, stress or chance", default=Mode.SEMANTIC, choices=tuple(Mode)),
         Option(
             "listener",
-            "who listens, and after = as which character, if not as the one of that name",
+            "name of a listener, with its character after = if that is called otherwise",
             default=(),
             metavar="NAME[=CHARACTER]",
             command_help="; the listener's BML goes to OUT.NAME.bml (.xml for OUT.xml); repeatable",
@@ -166,7 +166,7 @@ PERFORMANCE = _table(
         ),
         Option(
             "visemes",
-            "whose names of visemes are used in SmartBody's files",
+            "viseme names used in SmartBody's files",
             default=VisemeNames.SMARTBODY,
             choices=tuple(VisemeNames),
         ),
@@ -178,7 +178,7 @@ PERFORMANCE = _table(
         ),
         Option(
             "lead_in_s",
-            "begin this many seconds before the recording, so that the first words' gestures have time",
+            "seconds by which the performance begins before the recording, to give the first gestures time",
             float,
             0.0,
             limits=(0, 3),
@@ -189,7 +189,7 @@ PERFORMANCE = _table(
         _TARGETS,
         Option(
             "profile",
-            "whose gestures are made: the name of a gesture profile",
+            "gesture profile to use, by name",
             metavar="P",
             unset="the character's own",
             command_help=" (see profiles list), or its .yaml file",
@@ -198,8 +198,8 @@ PERFORMANCE = _table(
         Option("contours", "add f0 and energy every 10 ms to JSON", bool, False),
         Option(
             "affect",
-            f"how the voice sounds: a tone ({', '.join(Tone)}), activation, valence and dominance from -1 to 1, or a "
-            "track of these",
+            f"the feeling in the voice: a tone ({', '.join(Tone)}), activation, valence and dominance from -1 to 1, or "
+            "a track of these",
             unset="as heard",
             metavar="TONE|A,V,D|FILE.csv",
             command_help=" as CSV (time_s,activation,valence,dominance)",
@@ -213,11 +213,17 @@ PERFORMANCE = _table(
 MOTION = _table(
     (
         _AGITATION,
-        replace(_CHARACTER, help="who moves", default=None, default_told="", unset="the character named in the BML"),
+        replace(
+            _CHARACTER,
+            help="the character that moves",
+            default=None,
+            default_told="",
+            unset="the character named in the BML",
+        ),
         Option("fps", "frames per second of the motion", int, 60, choices=(30, 60)),
         replace(
             _SEED,
-            help="another number draws other variants",
+            help="random seed for the choice of variants",
             default=None,
             default_told="",
             request_help="",
@@ -234,7 +240,7 @@ MOTION = _table(
         _TARGETS,
         Option(
             "tail_s",
-            "go on this many seconds after the recording, so that the hands come to rest",
+            "seconds of motion after the recording, in which the hands come to rest",
             float,
             0.0,
             limits=(0, 10),
@@ -262,7 +268,7 @@ MOTION = _table(
         ),
         Option(
             "bap_version",
-            "who plays BAP and FAP files: players of MPEG-4 (3.1), or Greta (2.1), with other signs and order",
+            "version of BAP and FAP files: MPEG-4's (3.1), or Greta's (2.1), whose signs and order differ",
             default=BapVersion.MPEG4,
             choices=tuple(BapVersion),
         ),

@@ -39,7 +39,7 @@ class StartMessage(_Message):
     sample_rate_hz: int = 16_000
     channels: Literal[1, 2] = 1
     character: str = field_of(PERFORMANCE["character"])
-    seed: Annotated[Seed, Field(description="Another number draws other movements.")] = 0
+    seed: Annotated[Seed, Field(description="Random seed of the movements.")] = 0
     frames: Literal[30, 60] | None = None
     stillness: Annotated[float, Field(ge=0, le=1, strict=False)] = 0.0
     motion_model: Annotated[str, Field(max_length=LONGEST_NAME)] | None = None

@@ -105,7 +105,7 @@ _PERFORM = Operation(
             "rules": reference("RuleEditsRequest"),
             "reference": {**FILE, "description": "What `understudy reference` writes (.json), or a recording."},
             "edits": reference("EditsForm"),
-            "profile": {**FILE, "description": "Whose gestures are made: a gesture profile's file (.yaml)."},
+            "profile": {**FILE, "description": "The gesture profile to use, as a file (.yaml)."},
         },
         {"text": "No, I have never seen those.", "options": {"agitation": "high", "seed": 7}},
     ),

@@ -46,7 +46,10 @@ def _add_joining(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--pattern", metavar="NAME", help='names of recordings, such as "{character}/{id}_t{take}.wav"')
     parser.add_argument(
-        "--take", choices=("last", "first", "all"), default="last", help="which of several takes (default last)"
+        "--take",
+        choices=("last", "first", "all"),
+        default="last",
+        help="which take to use if there are several (default last)",
     )
 
 
@@ -79,7 +82,7 @@ def _add_running(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--shared-files", action="store_true", help="the cluster's workers see the same folders: nothing is sent"
     )
-    parser.add_argument("--dry-run", action="store_true", help="say what would be done and what is missing; do nothing")
+    parser.add_argument("--dry-run", action="store_true", help="dry run: report what would be done and what is missing")
     parser.add_argument(
         "--thumbnails",
         metavar="N",
@@ -87,4 +90,4 @@ def _add_running(parser: argparse.ArgumentParser) -> None:
         default=0,
         help="show key poses of the N most urgent lines in report.html",
     )
-    parser.add_argument("--again", action="store_true", help="perform every line again, done or not")
+    parser.add_argument("--again", action="store_true", help="perform every line again, including those already done")

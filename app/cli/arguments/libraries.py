@@ -50,7 +50,7 @@ def add_characters(add: Adding) -> None:
     show = add_action("show", "show how one of them moves and looks")
     show.add_argument("name", metavar="NAME")
     render = add_action("render", "draw what they look like")
-    render.add_argument("names", metavar="NAME", nargs="*", help="who is drawn (default: all)")
+    render.add_argument("names", metavar="NAME", nargs="*", help="the characters to draw (default: all)")
     add_output(render, "FILE.png", "where the picture goes")
 
 
@@ -88,12 +88,12 @@ def add_motion_models(add: Adding) -> None:
     train = add_action("train", "learn a model: kinds of movements, when a voice brings them, and the movements")
     train.add_argument("folder", metavar="FOLDER", help=PAIRS_HELP)
     train.add_argument("--kinds", metavar="N", type=int, help="kinds of movements (default: as many as keep affect)")
-    train.add_argument("--seed", type=int, default=0, help="another number clusters otherwise (default 0)")
+    train.add_argument("--seed", type=int, default=0, help="random seed of the clustering (default 0)")
     add_output(train, "MODEL", "where the model goes (.npz), for --motion-model")
     score = add_action("score", "how near a model's motion comes to recorded motion, each session left out: tables")
     score.add_argument("folder", metavar="FOLDER", help=PAIRS_HELP)
     score.add_argument("--kinds", metavar="N", type=int, help="kinds of movements (default: as many as keep affect)")
-    score.add_argument("--seed", type=int, default=0, help="another number clusters otherwise (default 0)")
+    score.add_argument("--seed", type=int, default=0, help="random seed of the clustering (default 0)")
     told = "one of S1 … S6 or RTS (default: all); repeatable"
     score.add_argument("--scenario", metavar="S1…S6", action="append", default=[], help=told)
     score.add_argument("--search", action="store_true", help="speed and similarity of RTS' searches too")

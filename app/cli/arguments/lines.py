@@ -108,7 +108,7 @@ def add_live(add: Adding) -> None:
     parser = add("live", "gestures for live speech, without a transcript; one JSON object a line")
     heard = parser.add_mutually_exclusive_group(required=True)
     heard.add_argument("audio", metavar="FILE", type=InputFile, nargs="?", help=AUDIO_HELP)
-    heard.add_argument("--microphone", action="store_true", help="hear the microphone (needs the extra `microphone`)")
+    heard.add_argument("--microphone", action="store_true", help="use the microphone (needs the extra `microphone`)")
     parser.add_argument(
         "--rate",
         metavar="HZ",
@@ -132,7 +132,7 @@ def add_live(add: Adding) -> None:
     told = "search its path by durations of 1, 1 + M, 1 + 2 M … frames after the N best kinds (default: all)"
     parser.add_argument("--search", metavar=("M", "N"), type=int, nargs=2, help=told)
     add_options(parser, PERFORMANCE, "character")
-    add_option(parser, PERFORMANCE["seed"], help="another number draws other movements (default 0)")
+    add_option(parser, PERFORMANCE["seed"], help="random seed of the movements (default 0)")
     add_output(parser, "OUT.jsonl", "where the lines go (default: standard output)", default=STANDARD)
 
 

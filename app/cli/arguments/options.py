@@ -140,7 +140,7 @@ def add_line(parser: argparse.ArgumentParser) -> None:
     """Adds the recording, its words and their times."""
     parser.add_argument("audio", metavar="AUDIO", type=InputFile, help=AUDIO_HELP)
     add_text(parser, "the words that are spoken")
-    add_words(parser, "the words' times, made elsewhere: .json, .TextGrid or .ctm; nothing is aligned")
+    add_words(parser, "word times from another aligner: .json, .TextGrid or .ctm; nothing is aligned")
     parser.set_defaults(functions=None, direction=None, edits=None)
 
 
@@ -148,9 +148,7 @@ def add_text(parser: argparse.ArgumentParser, told: str) -> None:
     """Adds the words, on the command line or in a file."""
     text = parser.add_mutually_exclusive_group(required=True)
     text.add_argument("--text", help=told)
-    text.add_argument(
-        "--text-file", metavar="FILE", type=InputFile, help="a file that holds them; - for standard input"
-    )
+    text.add_argument("--text-file", metavar="FILE", type=InputFile, help="a file with the words; - for standard input")
 
 
 def add_words(parser: argparse.ArgumentParser, told: str) -> None:
@@ -170,7 +168,7 @@ def add_motion_model(parser: argparse.ArgumentParser) -> None:
 
 
 def add_functions(parser: argparse.ArgumentParser) -> None:
-    told = "communicative functions that you know already: a JSON list"
+    told = "known communicative functions: a JSON list"
     parser.add_argument("--functions", metavar="FILE", type=InputFile, help=told)
 
 

@@ -74,7 +74,7 @@ def add_serve(add: Adding) -> None:
     parser.add_argument("--port", type=_port, help="port to listen on (default: UNDERSTUDY_PORT, else 8000)")
     add_agitation_model(parser)
     _add_origins(parser)
-    parser.add_argument("--reload", action="store_true", help="read rules, words and characters again when saved")
+    parser.add_argument("--reload", action="store_true", help="reload rules, words and characters when they are saved")
 
 
 def add_studio(add: Adding) -> None:
@@ -82,7 +82,7 @@ def add_studio(add: Adding) -> None:
     parser.add_argument("audio", metavar="AUDIO", type=InputFile, nargs="?", help="a line to open (WAV, FLAC, OGG)")
     text = parser.add_mutually_exclusive_group()
     text.add_argument("--text", help="the words that are spoken")
-    text.add_argument("--text-file", metavar="FILE", type=InputFile, help="a file that holds them")
+    text.add_argument("--text-file", metavar="FILE", type=InputFile, help="a file with the words")
     parser.add_argument("--scene", metavar="DIR", help="a scene for a table read: the folder that batch wrote to")
     parser.add_argument("--port", type=_port, default=0, help="port to listen on (default: one that is free)")
     parser.add_argument(
@@ -92,8 +92,8 @@ def add_studio(add: Adding) -> None:
     )
     add_agitation_model(parser)
     _add_origins(parser)
-    parser.add_argument("--no-browser", action="store_true", help="only say where the page is")
-    parser.add_argument("--reload", action="store_true", help="read rules, words and characters again when saved")
+    parser.add_argument("--no-browser", action="store_true", help="print the page's address without opening a browser")
+    parser.add_argument("--reload", action="store_true", help="reload rules, words and characters when they are saved")
 
 
 def _add_origins(parser: argparse.ArgumentParser) -> None:
@@ -115,7 +115,7 @@ def add_study(add: Adding) -> None:
     add_action = actions_of(add("study", "the papers' comparisons: clips and a blind page, statistics"))
     _add_make(add_action("make", "clips of lines in each condition, and a page on which raters judge them"))
     score = add_action("score", "the statistics of raters' answers, as the papers' tables")
-    score.add_argument("answers", metavar="ANSWERS.csv", nargs="+", type=InputFile, help="the files that raters saved")
+    score.add_argument("answers", metavar="ANSWERS.csv", nargs="+", type=InputFile, help="the raters' answer files")
     score.add_argument(
         "--key",
         metavar="KEY.csv",
@@ -128,8 +128,10 @@ def add_study(add: Adding) -> None:
 def _add_make(make: argparse.ArgumentParser) -> None:
     told = f"{SCRIPTS_HELP}; or a folder of recordings, each with its words in a .txt of the same name"
     make.add_argument("lines", metavar="LINES", help=told)
-    make.add_argument("--audio", metavar="DIR", help="the folder of the script's recordings (default: where it lies)")
-    make.add_argument("--out", metavar="DIR", required=True, help="where page and key go")
+    make.add_argument(
+        "--audio", metavar="DIR", help="the folder of the script's recordings (default: the script's folder)"
+    )
+    make.add_argument("--out", metavar="DIR", required=True, help="output folder of the page and the key")
     make.add_argument(
         "--compare",
         choices=[each.value for each in Comparison],
@@ -146,4 +148,4 @@ def _add_make(make: argparse.ArgumentParser) -> None:
     )
     make.add_argument("--motion-model", metavar="M", help="of ways and affect (default: the shipped one)")
     add_options(make, PERFORMANCE, "character")
-    make.add_argument("--seed", type=int, default=0, help="another number draws other gestures and orders (default 0)")
+    make.add_argument("--seed", type=int, default=0, help="random seed of gestures and orders (default 0)")

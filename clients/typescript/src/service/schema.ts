@@ -1508,7 +1508,7 @@ export interface components {
         PerformOptions: {
             /**
              * Affect
-             * @description How the voice sounds: a tone (neutral, happy, sad, angry, afraid, disgusted, surprised), activation, valence and dominance from -1 to 1, or a track of these with their times, rows of [time_s, activation, valence, dominance]. Omitted or null: as heard.
+             * @description The feeling in the voice: a tone (neutral, happy, sad, angry, afraid, disgusted, surprised), activation, valence and dominance from -1 to 1, or a track of these with their times, rows of [time_s, activation, valence, dominance]. Omitted or null: as heard.
              * @example sad
              * @example [
              *       0.6,
@@ -1527,7 +1527,7 @@ export interface components {
                 number
             ][] | null;
             /**
-             * @description How agitated the speaker is. Omitted or null: as measured in the voice.
+             * @description The speaker's level of agitation. Omitted or null: as measured in the voice.
              * @example high
              */
             agitation?: components["schemas"]["Level"] | null;
@@ -1538,13 +1538,13 @@ export interface components {
             bmlt_audio?: boolean;
             /**
              * Character
-             * @description Who performs, one of `GET /characters`. Default: "default".
+             * @description The performing character, one of `GET /characters`. Default: "default".
              * @example reserved
              */
             character?: string;
             /**
              * Choice
-             * @description How movements are chosen: terms, the one choice, or the paper's by priority. Omitted or null: as the character or UNDERSTUDY_CHOICE says.
+             * @description How movements are chosen: by weighted terms, or by priority as in the paper. Omitted or null: as the character or UNDERSTUDY_CHOICE says.
              */
             choice?: ("terms" | "priority") | null;
             /**
@@ -1556,19 +1556,19 @@ export interface components {
             dialect?: components["schemas"]["DialectName"];
             /**
              * Lead In S
-             * @description Begin this many seconds before the recording, so that the first words' gestures have time. Default: 0.0.
+             * @description Seconds by which the performance begins before the recording, to give the first gestures time. Default: 0.0.
              */
             lead_in_s?: number;
             /**
              * Listener
-             * @description Who listens, and after = as which character, if not as the one of that name; each listener has BML of its own, in JSON responses only.
+             * @description Name of a listener, with its character after = if that is called otherwise; each listener has BML of its own, in JSON responses only.
              */
             listener?: string[];
-            /** @description Gestures from the meaning, the stress, or chance. Default: "semantic". */
+            /** @description Source of gestures: meaning, stress or chance. Default: "semantic". */
             mode?: components["schemas"]["Mode"];
             /**
              * Profile
-             * @description Whose gestures are made: the name of a gesture profile. Omitted or null: the character's own.
+             * @description Gesture profile to use, by name. Omitted or null: the character's own.
              * @example sweeping
              */
             profile?: string | null;
@@ -1576,13 +1576,13 @@ export interface components {
             reference?: components["schemas"]["ReferenceForm"] | null;
             /**
              * Seed
-             * @description Another number draws another take; 0 is the best one. Default: 0.
+             * @description Random seed; every value gives another take; 0 is the best one. Default: 0.
              * @example 7
              */
             seed?: number;
             /**
              * Stillness
-             * @description Reduce all movement; at 1 only breath, blinks and lips are left. Default: 0.0.
+             * @description Reduce all movement; at 1 only breathing, blinks and lips remain. Default: 0.0.
              */
             stillness?: number;
             /**
@@ -1605,7 +1605,7 @@ export interface components {
             };
             /** @description Times in seconds, or as sync points of the speech. Default: "absolute". */
             timing?: components["schemas"]["TimeForm"];
-            /** @description Whose names of visemes are used in SmartBody's files. Default: "smartbody". */
+            /** @description Viseme names used in SmartBody's files. Default: "smartbody". */
             visemes?: components["schemas"]["VisemeNames"];
         };
         /**
@@ -1797,15 +1797,15 @@ export interface components {
          */
         RealizeOptions: {
             /**
-             * @description How agitated the speaker is. Omitted or null: as measured in the voice.
+             * @description The speaker's level of agitation. Omitted or null: as measured in the voice.
              * @example high
              */
             agitation?: components["schemas"]["Level"] | null;
-            /** @description Who plays BAP and FAP files: players of MPEG-4 (3.1), or Greta (2.1), with other signs and order. Default: "3.1". */
+            /** @description Version of BAP and FAP files: MPEG-4's (3.1), or Greta's (2.1), whose signs and order differ. Default: "3.1". */
             bap_version?: components["schemas"]["BapVersion"];
             /**
              * Character
-             * @description Who moves, one of `GET /characters`. Omitted or null: the character named in the BML.
+             * @description The character that moves, one of `GET /characters`. Omitted or null: the character named in the BML.
              * @example reserved
              */
             character?: string | null;
@@ -1829,7 +1829,7 @@ export interface components {
             root_at_origin?: boolean;
             /**
              * Seed
-             * @description Another number draws other variants. Omitted or null: that of the performance, or 0.
+             * @description Random seed for the choice of variants. Omitted or null: that of the performance, or 0.
              * @example 7
              */
             seed?: number | null;
@@ -1842,7 +1842,7 @@ export interface components {
             skeleton?: string | null;
             /**
              * Stillness
-             * @description Reduce all movement; at 1 only breath, blinks and lips are left. Default: 0.0.
+             * @description Reduce all movement; at 1 only breathing, blinks and lips remain. Default: 0.0.
              */
             stillness?: number;
             /**
@@ -1852,7 +1852,7 @@ export interface components {
             t_pose?: boolean;
             /**
              * Tail S
-             * @description Go on this many seconds after the recording, so that the hands come to rest. Default: 0.0.
+             * @description Seconds of motion after the recording, in which the hands come to rest. Default: 0.0.
              */
             tail_s?: number;
             /**
@@ -2166,7 +2166,7 @@ export interface components {
             channels?: 1 | 2;
             /**
              * Character
-             * @description Who performs, one of `GET /characters`. Default: "default".
+             * @description The performing character, one of `GET /characters`. Default: "default".
              * @example reserved
              */
             character?: string;
@@ -2181,7 +2181,7 @@ export interface components {
             sample_rate_hz?: number;
             /**
              * Seed
-             * @description Another number draws other movements. Default: 0.
+             * @description Random seed of the movements. Default: 0.
              */
             seed?: number;
             /**
@@ -3042,7 +3042,7 @@ export interface operations {
                     options?: components["schemas"]["PerformOptions"];
                     /**
                      * Format: binary
-                     * @description Whose gestures are made: a gesture profile's file (.yaml).
+                     * @description The gesture profile to use, as a file (.yaml).
                      */
                     profile?: string;
                     /**
