@@ -20,9 +20,9 @@ from .pacing.pacing import Pace
 
 @dataclass(frozen=True, slots=True)
 class AcousticModels:
-    """The models of the acoustic stage (paper §3.1). With models of free data alone there is none of focus. The aligner
-    is loaded by the first line without word timings; it runs in a process of its own, which `close` (or a `with` block)
-    ends."""
+    """The models of the acoustic stage (paper §3.1). With models of free data alone there is none of focus, and word
+    times are the decoder's own, not refined. The aligner is loaded by the first line without word timings; it runs in a
+    process of its own, which `close` (or a `with` block) ends."""
 
     settings: Settings
     when_aligning: OnDemand[Aligner]
@@ -38,7 +38,7 @@ class AcousticModels:
         models, lexicon = resource_folder("models"), lexicon_folder()
         return cls(
             settings=settings,
-            when_aligning=OnDemand(lambda: Aligner(models, lexicon / "en")),
+            when_aligning=OnDemand(lambda: Aligner(models, lexicon / "en", refined=settings.model_data != "free")),
             agitation=_agitation_model(settings, models / "agitation"),
             affect=_affect_judge(settings, models / "affect"),
             listeners=Listeners.load(models / "focus" / "emphases.onnx"),

@@ -6,9 +6,12 @@ from pathlib import Path
 import psutil
 import pytest
 
+from understudy.acoustic.alignment.alignment import WINDOW_DELAY_S
+from understudy.acoustic.alignment.decoder_process import FRAMES_PER_S
+from understudy.acoustic.models import AcousticModels
 from understudy.acoustic.stage import hear
 from understudy.errors import InputError
-from understudy.model import Line
+from understudy.model import Line, Word
 from understudy.models import Understudy
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "example.flac"
@@ -48,7 +51,21 @@ def test_who_breaks_off_leaves_neither_a_thread_nor_a_working_aligner(understudy
 def test_a_text_that_does_not_fit_costs_no_aligner(understudy: Understudy) -> None:
     hear(understudy.acoustic, _line())
     idle = _aligners()
-    with pytest.raises(InputError, match="not what is said"):
+    with pytest.raises(InputError, match="does not match the audio"):
         hear(understudy.acoustic, _line("Every morning the baker carries seven loaves across the frozen river. " * 3))
     assert _aligners() == idle
     assert not _threads()
+
+
+def test_with_free_data_alone_times_are_the_decoders_own(understudy: Understudy) -> None:
+    free = understudy.acoustic.settings.model_copy(update={"model_data": "free"})
+    with AcousticModels.load(free) as models:
+        assert all(map(_is_in_a_frame, hear(models, _line()).words))
+    assert not all(map(_is_in_a_frame, hear(understudy.acoustic, _line()).words))
+
+
+def _is_in_a_frame(word: Word) -> bool:
+    """Whether the decoder may have put the beginning of a word there, which it does frame by frame."""
+    assert word.interval
+    frame = (word.interval.start_s - WINDOW_DELAY_S) * FRAMES_PER_S
+    return abs(frame - round(frame)) < 0.1

@@ -164,7 +164,7 @@ def test_files_that_nothing_reads_or_can_read_and_folders_that_are_missing_are_t
     with laid_over([own]), pytest.raises(AuthoringError) as wrong:
         load_characters()
     (mistake,) = wrong.value.mistakes
-    assert str(mistake).startswith(f"{own / 'own.rules'}:1:1: nothing reads a file here")
+    assert str(mistake).startswith(f"{own / 'own.rules'}:1:1: a file here is never read")
     assert "files are read from en/, gestures/" in mistake.message
     (own / "own.rules").unlink()
     (own / "en").mkdir(exist_ok=True)

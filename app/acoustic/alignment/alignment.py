@@ -63,8 +63,9 @@ class Aligner:
     def __init__(self, models: Path, lexicon: Path, *, refined: bool = True) -> None:
         """`models` contains `pronunciation/` and `alignment/`, `lexicon` contains `abbreviations.yaml`.
 
-        Without `refined` the times are the decoder's own, as needed for training the refinement. Raises ServiceError if
-        a model is missing or broken, AuthoringError for the abbreviations.
+        Without `refined` the times are the decoder's own, as needed for training the refinement, and where models of
+        free data alone may be used. Raises ServiceError if a model is missing or broken, AuthoringError for the
+        abbreviations.
         """
         from pocketsphinx import get_model_path  # is loaded with the aligner, not with whoever names it
 

@@ -166,7 +166,7 @@ def test_every_mistake_at_once_with_its_place() -> None:
             {"tags": (TrackSpan(0.5, 0.9, "negatoin"),)},
             "tags at 0.500 s: no function is called 'negatoin'; did you mean",
         ),
-        ({"phrases.hand": (TrackSpan(5.0, 5.5, "RH"),)}, "phrases.hand at 5.000 s: 'RH' is said of nothing"),
+        ({"phrases.hand": (TrackSpan(5.0, 5.5, "RH"),)}, "phrases.hand at 5.000 s: 'RH' labels nothing"),
     ],
 )
 def test_contradictions(changed: dict[str, tuple[TrackSpan, ...]], told: str) -> None:
