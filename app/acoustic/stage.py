@@ -53,7 +53,7 @@ def contours_of(audio: Audio) -> Contours:
 
 
 RETRY_S = 0.05
-"""An interrupted alignment that had not reached its process is interrupted again after so long."""
+"""How long until an interrupted alignment that had not reached its process is interrupted again."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -201,10 +201,8 @@ def measure_stress(
     Prominence and focus are surer with the recording itself."""
     listeners = acoustic.listeners.heard(audio, words) if audio else {}
     stressed, thresholds = stress(with_listeners(prominence(words, contours), listeners), contours)
-    settings = acoustic.settings
-    measure = Measure(settings.emphasis)
     focused = acoustic.focus.with_focus(stressed, contours, listeners) if acoustic.focus else stressed
-    return with_emphasis(focused, measure), thresholds
+    return with_emphasis(focused, Measure(acoustic.settings.emphasis)), thresholds
 
 
 def make_reference(acoustic: AcousticModels, recordings: Sequence[SignalAnalysis]) -> SpeakerReference:

@@ -13,17 +13,17 @@ PROBLEM = "application/problem+json"
 REQUEST_ID_HEADER = "X-Request-ID"
 
 _REASONS = {
-    400: "Not decodable: broken audio, JSON, words in time or form.",
+    400: "Not decodable: broken audio, JSON, timed words or form.",
     401: "An API key is missing or wrong.",
-    403: "What is asked is not allowed here, or not to this page.",
+    403: "The request is not allowed here, or not from this page.",
     404: "No such path.",
     405: "The path does not support this method; `Allow` lists those that it does.",
-    406: "`Accept` has none of the types that are answered.",
+    406: "`Accept` allows none of the offered types.",
     408: "The body arrived too slowly.",
     412: "The file is no longer what was read.",
     413: "Too large or too long.",
     415: "A type or format that is not read.",
-    421: "The service has another name.",
+    421: "The request names another host.",
     422: "The content is wrong; `field` and `detail` say where and why.",
     429: "Too many requests, or wrong API keys, from one address; try again after `Retry-After`.",
     500: "A fault of the service.",

@@ -66,7 +66,9 @@ def _made(app: FastAPI) -> Json:
         "schemas": _schemas(),
         "responses": shared_errors(),
         "headers": SHARED_HEADERS,
-        "securitySchemes": {_KEY: {"type": "http", "scheme": "bearer", "description": "An API key, if one is wanted."}},
+        "securitySchemes": {
+            _KEY: {"type": "http", "scheme": "bearer", "description": "An API key, if the service requires one."}
+        },
     }
     document["security"] = [{}, {_KEY: []}]
     app.openapi_schema = document

@@ -73,7 +73,7 @@ class ChoiceModel:
 
     def with_weights(self, added: Mapping[str, Mapping[str, float]]) -> "ChoiceModel":
         """The model with weights by term and family added to its own; new terms are new rows. Weights of
-        others than families are left to others."""
+        other names are ignored."""
         rows = dict(self.rows)
         for name in added:
             rows.setdefault(name, len(rows))

@@ -2487,7 +2487,7 @@ export interface components {
         };
     };
     responses: {
-        /** @description Not decodable: broken audio, JSON, words in time or form. Codes: `audio_undecodable`, `audio_truncated`, `audio_length_unstated`, `text_not_utf8`, `timings_unreadable`, `avatar_undecodable`, `not_json`, `form_broken`, `client_disconnected`. */
+        /** @description Not decodable: broken audio, JSON, timed words or form. Codes: `audio_undecodable`, `audio_truncated`, `audio_length_unstated`, `text_not_utf8`, `timings_unreadable`, `avatar_undecodable`, `not_json`, `form_broken`, `client_disconnected`. */
         BadRequest: {
             headers: {
                 "X-Request-ID": components["headers"]["RequestId"];
@@ -2506,7 +2506,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description What is asked is not allowed here, or not to this page. Codes: `rules_read_only`, `origin_refused`. */
+        /** @description The request is not allowed here, or not from this page. Codes: `rules_read_only`, `origin_refused`. */
         Forbidden: {
             headers: {
                 "X-Request-ID": components["headers"]["RequestId"];
@@ -2582,7 +2582,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description The service has another name. Codes: `host_unknown`. */
+        /** @description The request names another host. Codes: `host_unknown`. */
         MisdirectedRequest: {
             headers: {
                 "X-Request-ID": components["headers"]["RequestId"];
@@ -2601,7 +2601,7 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description `Accept` has none of the types that are answered. Codes: `not_acceptable`. */
+        /** @description `Accept` allows none of the offered types. Codes: `not_acceptable`. */
         NotAcceptable: {
             headers: {
                 "X-Request-ID": components["headers"]["RequestId"];
