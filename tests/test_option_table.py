@@ -148,7 +148,9 @@ def test_the_panel_of_the_studio_has_the_tables_ranges() -> None:
 
 def test_a_number_outside_its_range_is_refused_with_what_it_means() -> None:
     PERFORMANCE["stillness"].check(1.0)
-    with pytest.raises(InputError, match=r"^lead_in_s: 5; give 0 to 3: begin this many seconds before") as caught:
+    with pytest.raises(
+        InputError, match=r"^lead_in_s: 5; give 0 to 3: seconds by which the performance begins"
+    ) as caught:
         PERFORMANCE["lead_in_s"].check(5)
     assert caught.value.field == "lead_in_s"
     with pytest.raises(InputError):

@@ -221,5 +221,5 @@ def test_a_script_that_is_wrong_is_told() -> None:
             b'{"profile": "x", "duration_s": 1, "gestures": [], '
             b'"units": [{"start_s": 0, "end_s": 1, "gestures": ["g9"], "rest": "open"}]}'
         )
-    with pytest.raises(InputError, match="no JSON"):
+    with pytest.raises(InputError, match="not JSON"):
         read_script(b"{")

@@ -89,7 +89,7 @@ def test_a_feeling_that_is_given_replaces_the_one_heard(capfdbinary: Captured, t
         assert max(affect["tones"], key=affect["tones"].get) == tone
     code, out, err = _run(capfdbinary, "analyze", AUDIO, "--text", TEXT, "--affect", "furious")
     assert (code, out) == (2, "")
-    assert "no tone" in err
+    assert "neither a tone" in err
 
 
 def test_an_analysis_is_drawn_beside_its_json(capfdbinary: Captured, tmp_path: Path) -> None:

@@ -211,7 +211,7 @@ def test_motion_is_scored_against_the_recorded_one(pairs: Path, tmp_path: Path, 
 def test_a_single_recording_cannot_be_left_out(tmp_path: Path, capsys: Captured) -> None:
     write_bvh(tmp_path, "a_0")
     assert main(["motion-model", "score", str(tmp_path), "--kinds", "3"]) == 2
-    assert "a single recording: give two at least" in capsys.readouterr().err
+    assert "a single recording; give at least two" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("search", [[], ["--search", "5", "3"]])

@@ -46,7 +46,7 @@ def test_both_doors_make_the_same_of_the_same_file(client: TestClient, tmp_path:
     [
         (PROFILE.replace("  BEAT:", "  BEET:", 1), {}, 422, "profile_wrong", "did you mean 'BEAT'?"),
         ("a: [", {}, 422, "profile_wrong", "not YAML"),
-        (PROFILE, {"options": (None, '{"profile": "sparing"}')}, 422, "field_repeated", "send one of them"),
+        (PROFILE, {"options": (None, '{"profile": "sparing"}')}, 422, "field_repeated", "send only one"),
         (PROFILE + "#", {}, 413, "field_too_large", "profile has more than"),
     ],
 )

@@ -51,7 +51,7 @@ def test_a_hiss_is_an_s_and_no_vowel() -> None:
 
 def test_a_broken_model_is_told(tmp_path: Path) -> None:
     (tmp_path / "mouth.npz").write_bytes(b"nothing")
-    with pytest.raises(ServiceError, match="no model of the mouth"):
+    with pytest.raises(ServiceError, match="not a model of the mouth"):
         MouthModel.load(tmp_path / "mouth.npz")
     np.savez(tmp_path / "mouth.npz", visemes=np.array(["sil"]), weights=np.zeros((3, 1)), bias=np.zeros(1))
     with pytest.raises(ServiceError, match="other measures"):

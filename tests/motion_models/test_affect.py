@@ -45,5 +45,5 @@ def test_the_shipped_model_hears_what_is_excited() -> None:
 
 def test_a_broken_file_is_named(tmp_path: Path) -> None:
     (tmp_path / "affect.npz").write_bytes(b"nothing of the kind")
-    with pytest.raises(ServiceError, match="no model of affect"):
+    with pytest.raises(ServiceError, match="not a model of affect"):
         LinearAffectModel.load(tmp_path / "affect.npz")

@@ -36,7 +36,7 @@ def test_what_is_no_model_is_told(content: bytes) -> None:
         ("log_initial", "one row for each kind"),
         ("log_duration", "one row for each kind"),
         ("motion", "not as long as its motion"),
-        ("joints", "no rotation of each joint"),
+        ("joints", "not a rotation of each joint"),
     ],
 )
 def test_arrays_that_do_not_go_together_are_told(arrays: dict[str, FloatArray], name: str, told: str) -> None:

@@ -63,7 +63,7 @@ def test_it_is_kept_whole(tmp_path: Path) -> None:
 @pytest.mark.parametrize("content", [b"", b"nothing of the kind", SHIPPED.read_bytes()[:900]])
 def test_a_broken_file_is_named(tmp_path: Path, content: bytes) -> None:
     (tmp_path / "voice.npz").write_bytes(content)
-    with pytest.raises(ServiceError, match="no model of gestures"):
+    with pytest.raises(ServiceError, match="not a model of gestures"):
         VoiceModel.load(tmp_path / "voice.npz")
 
 

@@ -36,7 +36,7 @@ def test_a_spreadsheets_semicolons_separate_too(table: Path) -> None:
             b"file,speaker,agitation\na.wav,Ann,angry\na.wav,Ann\n",
             r"csv:2: agitation 'angry'; give.*csv:3: 2 cells",
         ),
-        (b"\xff\xfe,", "no CSV in UTF-8"),
+        (b"\xff\xfe,", "not CSV in UTF-8"),
         (b"file,speaker,agitation\n\n", "labels.csv: no recordings; give a line for each below the first"),
     ],
 )

@@ -130,8 +130,8 @@ def test_numbers_in_json_are_those_of_the_command_line() -> None:
 @pytest.mark.parametrize(
     ("told", "reason"),
     [
-        ("furious", "'furious' is not a tone"),
-        ("1,2", "no three numbers"),
+        ("furious", "'furious' is neither a tone"),
+        ("1,2", "nor three numbers"),
         ("0,0,1.5", "'1.5' is not a number from -1 to 1"),
         ("0,nan,0", "'nan' is not a number"),
     ],
@@ -152,7 +152,7 @@ def test_what_is_wrong_is_told(told: str, reason: str) -> None:
         ((HEADER + "0,0,0,0\n0,0,0,0\n").encode(), "track.csv:3: the time 0 s is not after"),
         ((HEADER + "-1,0,0,0\n").encode(), "track.csv:2: '-1' is not a time"),
         ((HEADER + "0,0,0,2\n").encode(), "'2' is not a number"),
-        (b"\xff\xfe", "no CSV in UTF-8"),
+        (b"\xff\xfe", "not CSV in UTF-8"),
     ],
 )
 def test_a_wrong_track_is_told_with_its_line(content: bytes, reason: str) -> None:

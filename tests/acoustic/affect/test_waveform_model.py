@@ -66,7 +66,7 @@ def test_metadata_tell_another_order_and_range(tmp_path: Path) -> None:
     [
         ({"out": [0.0]}, {"order": "activation"}, "must give activation and valence"),
         ({"valence": [0.0]}, {}, "must give activation and valence"),
-        ({"out": [0.0, 0.0, 0.0]}, {"range": "high"}, "no lowest and highest"),
+        ({"out": [0.0, 0.0, 0.0]}, {"range": "high"}, "not a lowest and highest"),
         ({"out": [0.0, 0.0, 0.0]}, {"range": "1,1"}, "is empty"),
     ],
 )
@@ -80,9 +80,9 @@ def test_what_is_not_understood_is_refused(
 
 def test_another_kind_of_file_is_refused(tmp_path: Path) -> None:
     (tmp_path / "own.onnx").write_bytes(b"no model")
-    with pytest.raises(ServiceError, match="no model of affect"):
+    with pytest.raises(ServiceError, match="not a model of affect"):
         WaveformModel.load(tmp_path / "own.onnx")
-    with pytest.raises(ServiceError, match="no model of affect"):
+    with pytest.raises(ServiceError, match="not a model of affect"):
         WaveformModel.load(tmp_path / "missing.onnx")
 
 

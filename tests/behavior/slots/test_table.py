@@ -29,7 +29,7 @@ def load(tmp_path: Path, text: str) -> SlotTable:
     ("slots", "told"),
     [
         ("  heigth: []", (9, 11, "did you mean 'height'")),
-        ("  height: [{is: chlid, words: [this tall]}]", (9, 17, "no value of height; did you mean 'child'")),
+        ("  height: [{is: chlid, words: [this tall]}]", (9, 17, "not a value of height; did you mean 'child'")),
         ("  height: [{is: child, words: [this <chld>]}]", (9, 32, "no set is called 'chld'")),
         ("  count: [{is: '11', words: [eleven]}]", (9, 16, "'11' is not a value of count")),
         ("  count: [{is: '²', words: [two]}]", (9, 16, "'²' is not a value of count")),

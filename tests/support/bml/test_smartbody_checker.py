@@ -25,8 +25,8 @@ def test_what_smartbody_played_passes() -> None:
     [
         (' ref="line"', "", "no ref"),
         ("Yes", "R&amp;D", "has &"),
-        ("application/ssml+xml", "text/plain", "no mark of the speech"),
-        ("speech1:T0", "speech1:T2", "no mark of the speech"),
+        ("application/ssml+xml", "text/plain", "nor a mark of the speech"),
+        ("speech1:T0", "speech1:T2", "nor a mark of the speech"),
         ('name="T1"', 'name="T_1"', "no mark can be called"),
         ('type="ME"', 'type="CENTER"', "no gesture"),
         ("LEFT_HAND", "RIGHT_HAND", "no gesture"),

@@ -144,7 +144,7 @@ def test_what_was_read_from_bml_cannot_be_performed_again_but_played(
     assert stroke == pytest.approx(0.6 + 0.5, abs=0.02)
 
 
-@pytest.mark.parametrize(("content", "said"), [(b"{}", "no BML"), (BML.replace(b"<head ", b"<heed "), "heed")])
+@pytest.mark.parametrize(("content", "said"), [(b"{}", "not BML"), (BML.replace(b"<head ", b"<heed "), "heed")])
 def test_wrong_bml_is_told(blender: Bpy, mannequin: Bpy, tmp_path: Path, content: bytes, said: str) -> None:
     path = tmp_path / "wrong.bml"
     path.write_bytes(content)

@@ -49,7 +49,7 @@ def test_times_of_events_are_those_of_the_recording() -> None:
     ("content", "said"),
     [
         (b"<html>", "not JSON"),
-        (b"[]", "no understudy-clip"),
+        (b"[]", "not an understudy-clip"),
         (b'{"format":"understudy-clip","version":2}', "version 1"),
     ],
 )

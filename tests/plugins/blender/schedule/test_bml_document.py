@@ -79,7 +79,7 @@ def test_what_is_not_changed_stays_as_it_is() -> None:
 
 
 @pytest.mark.parametrize(
-    ("bml", "said"), [(b"{}", "no BML"), (b"<!DOCTYPE bml [<!ENTITY a 'b'>]><bml>&a;</bml>", "DOCTYPE")]
+    ("bml", "said"), [(b"{}", "not BML"), (b"<!DOCTYPE bml [<!ENTITY a 'b'>]><bml>&a;</bml>", "DOCTYPE")]
 )
 def test_what_cannot_be_read_is_refused(bml: bytes, said: str) -> None:
     with pytest.raises(WrongBmlError, match=said):
