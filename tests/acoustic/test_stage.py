@@ -51,7 +51,7 @@ def test_who_breaks_off_leaves_neither_a_thread_nor_a_working_aligner(understudy
 def test_a_text_that_does_not_fit_costs_no_aligner(understudy: Understudy) -> None:
     hear(understudy.acoustic, _line())
     idle = _aligners()
-    with pytest.raises(InputError, match="does not match the audio"):
+    with pytest.raises(InputError, match="not what is said"):
         hear(understudy.acoustic, _line("Every morning the baker carries seven loaves across the frozen river. " * 3))
     assert _aligners() == idle
     assert not _threads()

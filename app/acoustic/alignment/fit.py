@@ -101,7 +101,7 @@ def check_found(audio: Audio) -> None:
 
 
 def _mismatch(reason: str) -> InputError:
-    message = f"the text does not match the audio: {reason}; send the words of this recording"
+    message = f"the text is not what is said in the audio: {reason}; send the words of this recording"
     return InputError("transcript_mismatch", message, field="text")
 
 
