@@ -1,15 +1,17 @@
 """Fits the probability that a text differs from what is said, from its aligned phones
 (`app/acoustic/alignment/fit.py`).
 
-    python -m training.alignment.misfit [--shared ../shared]
+    python -m training.alignment.misfit [--shared ../shared] [--every N] [--plain FOLDER]
 
 A logistic regression on `evidence` of correct and of other texts (`transcripts.py`); a correct text has the weight of
 three wrong ones, because it must not be refused. Prints the accuracy on each half of the material with the weights of
-the other half, then the weights fitted to all, which are those in the code. Ten minutes on one core.
+the other half, then the weights fitted to all, which are those in the code (`--every 2`). With `--plain`, also what
+`training/affect/plain_speech.py --held-out` has said with voices of espeak-ng. Where nothing is
+said, any text is a wrong one. Twenty minutes on one core.
 """
 
 import argparse
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import chain
 from pathlib import Path
@@ -19,14 +21,15 @@ from sklearn.linear_model import LogisticRegression
 
 from understudy.acoustic.alignment.alignment import Aligner
 from understudy.acoustic.alignment.fit import EVIDENCE, REFUSED, SUSPECT, evidence
-from understudy.model import FloatArray
+from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray
 from understudy.text.transcript import read_transcript
 
-from .transcripts import OTHERS, OWN, Recording, read_recordings, texts_for
+from .transcripts import OTHERS, OWN, Recording, read_plain, read_recordings, texts_for
 
 ROOT = Path(__file__).resolve().parents[2]
 PENALTY = 1.0
 RIGHT_COUNTS = 3.0
+TEXTS_OF_NOTHING, WORD_S, SILENCE_S, HUM_HZ = 40, 0.4, 0.5, 50.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -47,6 +50,19 @@ def examples_of(aligner: Aligner, recordings: list[Recording]) -> Iterable[Examp
                 if decoded is not None:
                     seen = np.array(evidence(list(chain.from_iterable(decoded.words))))
                     yield Example(seen, recording.half, kind != OWN)
+
+
+def examples_of_nothing(aligner: Aligner, texts: Sequence[str]) -> Iterable[Example]:
+    """Of each text, and of its first two words, with silence, a constant, noise or hum in place of speech."""
+    chance = np.random.default_rng(0)
+    for number, text in enumerate(texts):
+        for half, said in enumerate((text, " ".join(text.split()[:2]))):
+            times_s = np.arange(round(SAMPLE_RATE_HZ * (SILENCE_S + WORD_S * len(said.split())))) / SAMPLE_RATE_HZ
+            kinds = (0 * times_s, 0 * times_s + 0.1, 0.01 * chance.standard_normal(len(times_s)))
+            samples = (*kinds, 0.1 * np.sin(2 * np.pi * HUM_HZ * times_s))[number % (len(kinds) + 1)]
+            decoded = aligner.decode(Audio(samples), read_transcript(said, max_characters=10_000))
+            if decoded is not None:
+                yield Example(np.array(evidence(list(chain.from_iterable(decoded.words)))), half, is_other=True)
 
 
 def fitted(examples: list[Example]) -> FloatArray:
@@ -76,8 +92,14 @@ def print_halves(examples: list[Example]) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--shared", type=Path, default=ROOT.parent / "shared")
+    parser.add_argument("--every", type=int, default=1, help="only every Nth recording of people and of flite")
+    parser.add_argument("--plain", type=Path, help="the folder of plain speech")
+    options = parser.parse_args()
+    sources = [read_recordings(options.shared)[:: options.every]]
+    sources += [read_plain(options.plain, options.shared / "directing")] if options.plain else []
     with Aligner(ROOT / "models", ROOT / "lexicon" / "en", refined=False) as aligner:
-        examples = list(examples_of(aligner, read_recordings(parser.parse_args().shared)))
+        examples = [example for source in sources for example in examples_of(aligner, source)]
+        examples += examples_of_nothing(aligner, [each.text for each in sources[-1][:TEXTS_OF_NOTHING]])
     print_halves(examples)
     for name, weight in zip((*EVIDENCE, "bias"), fitted(examples), strict=True):
         print(f"{weight:10.4f}  {name}")

@@ -17,12 +17,18 @@ import soxr
 
 from understudy.model import SAMPLE_RATE_HZ, Audio
 
+from ..acting.directed import read_lines
 from .timit import read_sentences
+
+FLITE = frozenset(("slt", "rms", "awb", "kal16"))
+"""Voices made of recordings, unlike those of espeak-ng."""
 
 RAVDESS_TEXTS = {"01": "Kids are talking by the door", "02": "Dogs are sitting by the door"}
 RAVDESS_STEP = 6
 NOISE_DB = -15.0
 """Against the speech."""
+
+PLAIN_LINES = 150
 
 ALIKE = 12
 """Of so many others that are nearest in length one is taken."""
@@ -49,6 +55,18 @@ def read_recordings(shared: Path, ravdess_step: int = RAVDESS_STEP) -> list[Reco
     chance = np.random.default_rng(0)
     noisy = [_in_noise(each, chance) for source in (clean, synthetic) for each in source[::2]]
     return [*clean, *acted, *synthetic, *noisy]
+
+
+def read_plain(folder: Path, directing: Path) -> list[Recording]:
+    """What `training/affect/plain_speech.py` has said with the voices of espeak-ng, up to `PLAIN_LINES` of it: whose
+    sounds are like nobody's."""
+    texts = {line.name: " ".join(line.words) for line in read_lines(directing)}
+    rows = map(json.loads, (folder / "index.jsonl").read_text(encoding="utf-8").splitlines())
+    said = [row for row in rows if row["voice"] not in FLITE][:PLAIN_LINES]
+    return [
+        Recording("formants", number % 2, _audio(folder / row["path"]), texts[row["id"]])
+        for number, row in enumerate(said)
+    ]
 
 
 def texts_for(recordings: Sequence[Recording], number: int) -> Iterator[tuple[str, str]]:

@@ -51,7 +51,7 @@ def _scored(per_frame: float) -> list[list[DecodedPhone]]:
 
 def _score_at(log_odds: float) -> float:
     """The score per frame at which one phone of `FRAMES` says that."""
-    scores = np.arange(-200, 0, 0.5)
+    scores = np.arange(-400, 0, 0.5)
     return float(max(score for score in scores if misfit(_scored(score)[0]) > log_odds))
 
 
@@ -89,7 +89,7 @@ def test_noise_moves_the_limits_and_refuses_nothing() -> None:
     noisy = _audio(noise=0.2)
     assert signal_to_noise_db(noisy) < 12
     assert check_fit(noisy, (_word(),), _scored(_score_at(SUSPECT))) == ()
-    (notice,) = check_fit(noisy, (_word(),), _scored(-150))
+    (notice,) = check_fit(noisy, (_word(),), _scored(_score_at(REFUSED)))
     assert "word 0 (ah)" in notice.message
 
 
