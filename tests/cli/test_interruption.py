@@ -35,7 +35,7 @@ def _ended(code: str, module: str, target: Path) -> tuple[int, str]:
         "understudy.cli.main",
         "pydantic",
         "spacy",
-        "understudy.schemas.responses",
+        "understudy.rules.mapping",
     ],
 )
 def test_without_a_traceback_while_it_is_imported(module: str, tmp_path: Path) -> None:

@@ -140,7 +140,7 @@ def trained(reader: Reader, training: Training, output: Path) -> None:
         reader.train()
         losses, began_s = [], time.monotonic()
         for batch in _batches(_drawn(training, chance), chance):
-            loss = _loss(reader, batch, [heard(each.line, training.voices, chance) for each in batch])
+            loss = loss_of(reader, batch, [heard(each.line, training.voices, chance) for each in batch])
             optimizer.zero_grad()
             loss.backward()
             nn.utils.clip_grad_norm_(reader.parameters(), 1.0)
@@ -166,7 +166,7 @@ def _tell(reader: Reader, training: Training) -> None:
         ):
             values = [
                 float(
-                    _loss(
+                    loss_of(
                         reader,
                         batch,
                         [as_written(each.line, training.voices, chance) if told else WORDS_ALONE for each in batch],
@@ -189,7 +189,7 @@ def read(reader: Reader, lines: Sequence[Encoded], voices: Voices) -> dict[str, 
     chance = random.Random(0)
     with torch.no_grad():
         for batch in _batches(lines, chance):
-            likely = torch.sigmoid(reader(*_inputs(batch, [as_written(each.line, voices, chance) for each in batch])))
+            likely = torch.sigmoid(reader(*inputs_of(batch, [as_written(each.line, voices, chance) for each in batch])))
             found |= {each.line.name: row[: len(each.ends)].numpy() for each, row in zip(batch, likely, strict=True)}
     return found
 
@@ -222,7 +222,8 @@ def _batches(lines: Sequence[Encoded], chance: random.Random) -> Iterator[list[E
     yield from batches
 
 
-def _inputs(batch: Sequence[Encoded], told: Sequence[Delivery]) -> tuple[Tensor, Tensor, Tensor, Tensor]:
+def inputs_of(batch: Sequence[Encoded], told: Sequence[Delivery]) -> tuple[Tensor, Tensor, Tensor, Tensor]:
+    """What a reader is given: pieces and their mask (B, P), the ends of words (B, W, 2), and how they are said."""
     features = [features_of(delivery, len(each.ends)) for each, delivery in zip(batch, told, strict=True)]
     shape = (len(batch), max(len(each.pieces) for each in batch))
     pieces, mask = np.zeros(shape, np.int64), np.zeros(shape, bool)
@@ -237,9 +238,10 @@ def _inputs(batch: Sequence[Encoded], told: Sequence[Delivery]) -> tuple[Tensor,
     return torch.from_numpy(pieces), torch.from_numpy(mask), torch.from_numpy(ends), torch.from_numpy(said)
 
 
-def _loss(reader: Reader, batch: Sequence[Encoded], told: Sequence[Delivery]) -> Tensor:
+def loss_of(reader: Reader, batch: Sequence[Encoded], told: Sequence[Delivery]) -> Tensor:
+    """The sum of the cross-entropies of the outputs, a word."""
     with torch.autocast("cpu", torch.bfloat16):
-        logits = reader(*_inputs(batch, told))
+        logits = reader(*inputs_of(batch, told))
     wanted, counts = torch.zeros_like(logits), torch.zeros_like(logits)
     for row, each in enumerate(batch):
         wanted[row, : len(each.ends)] = torch.from_numpy(each.wanted)

@@ -166,10 +166,10 @@ def test_what_was_shown_just_before_is_worth_less_and_says_so(understudy: Unders
 
 
 def test_what_would_only_be_shown_again_is_left_out(understudy: Understudy, monkeypatch: pytest.MonkeyPatch) -> None:
-    denied = "No, no, no, no, no, no, no, no, no, no, no, no."
+    avowed = "I love you, I love you, I love you, I love you."
 
     def gestures() -> int:
-        found = plan_of(understudy, denied, player(understudy))
+        found = plan_of(understudy, avowed, player(understudy))
         return sum(moment.channel is Channel.GESTURE for moment in found.moments)
 
     monkeypatch.setattr(weighing, "JUST_SHOWN", 0.0)

@@ -131,8 +131,8 @@ def test_what_is_wrong_is_told_before_anything_large_is_loaded(
         (("gestures", "list"), set()),
         (("characters", "list"), set()),
         (("realize", "line.bml", "-o", "a.bvh"), {REALIZER}),
-        (("pitch", AUDIO), {"scipy.fft"}),
-        (("perform", *LINE), {"spacy", "pocketsphinx", "scipy.fft"}),
+        (("pitch", AUDIO), set()),
+        (("perform", *LINE), {"spacy", "pocketsphinx"}),
     ],
 )
 @pytest.mark.usefixtures("kept")

@@ -1,0 +1,258 @@
+"""Anneals the reader on careful lines, with second readings and with what it read before.
+
+    python -m training.acting.annealing OUT.npz [--minutes 50] [--seed N]
+
+It begins with the shipped weights. Where a line was read twice (`lines/second/`), it is trained towards the mean of
+both readings, and every target is drawn for `TAUGHT` of its way to what the shipped reader makes of the same line:
+one reading is one opinion of many, and what was learnt from thousands of other lines is not to be lost. Some lines are
+cut at the end of a sentence, some are joined, and some pieces are hidden, so that the reader depends on none. The rate
+falls to nearly 0 within the given time; OUT gets the running mean of the weights. An eighth of the lines is held out,
+as in `training/acting/encoder.py`, whose needs it has.
+"""
+
+import argparse
+import random
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import torch
+from torch import Tensor, nn
+
+from understudy.behavior.reading.encoder import WORDS_ALONE, Delivery, Encoder
+from understudy.model import SingleArray
+
+from .directed import MANNER, DirectedLine, is_held_out, read_lines
+from .encoder import BATCH, SHIPPED, WEIGHT_DECAY, Encoded, encoded, loss_of, starting_weights
+from .listening import as_written, heard
+from .network import Reader
+from .second_readings import KINDS, pairs_of
+
+RATE, OUTPUT_FACTOR, EMBEDDING_FACTOR, LAYER_FACTOR = 5e-5, 4.0, 0.4, 0.85
+"""Of the last layer; of the outputs and of the embeddings beside it; of each layer beside the one above it."""
+
+FROZEN, LAYERS = 2, 6
+WARM_UP_STEPS, LEAST_RATE = 40, 0.02
+TAUGHT, OLD_SHARE, CUT, JOINED, HIDDEN = 0.3, 0.3, 0.12, 0.08, 0.03
+SHORT_PIECES, FEWEST_WORDS = 30, 3
+MEAN_OF_STEPS = 100
+TOLD_EVERY_S = 480.0
+
+Told = tuple[Encoded, Delivery]
+"""A line, and what is heard of it."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Material:
+    """The lines that are trained on and those held out, the shipped vocabulary and reader."""
+
+    kept: Sequence[Encoded]
+    checked: Sequence[Encoded]
+    vocabulary: Mapping[str, int]
+    teacher: Encoder
+
+
+def material(directing: Path, vocabulary: Mapping[str, int]) -> Material:
+    """All directed lines; those that were read twice have the mean of both readings."""
+    second = {first["id"]: reading for kind in KINDS for first, reading in pairs_of(kind)}
+    lines = [each for line in read_lines(directing) if (each := encoded(line, vocabulary))]
+    kept = [_read_twice(each, second, vocabulary) for each in lines if not is_held_out(each.line)]
+    return Material(kept, [each for each in lines if is_held_out(each.line)], vocabulary, Encoder.load(SHIPPED))
+
+
+def _read_twice(each: Encoded, second: Mapping[str, dict[str, object]], vocabulary: Mapping[str, int]) -> Encoded:
+    name = each.line.name
+    other = encoded(DirectedLine(name, each.line.words, second[name], True), vocabulary) if name in second else None
+    if other is None:
+        return each
+    wanted: SingleArray = np.asarray((each.wanted + other.wanted) / 2, np.float32)
+    return replace(each, wanted=wanted, counts=np.maximum(each.counts, other.counts))
+
+
+def anneal(reader: Reader, given: Material, minutes: float, seed: int) -> Mapping[str, Tensor]:
+    """Trains for that time; the running mean of the weights."""
+    chance = random.Random(seed)
+    optimizer = _optimizer(reader)
+    rates = [group["lr"] for group in optimizer.param_groups]
+    mean = {name: each.detach().clone() for name, each in reader.weights.items()}
+    began_s = told_s = time.monotonic()
+    for step, batch in enumerate(_endless(given, chance)):
+        share = (time.monotonic() - began_s) / (60 * minutes)
+        if share >= 1:
+            break
+        for group, rate in zip(optimizer.param_groups, rates, strict=True):
+            group["lr"] = rate * min(1.0, (step + 1) / WARM_UP_STEPS) * max(LEAST_RATE, 1 - share)
+        _step(
+            reader, optimizer, loss_of(reader, [_taught(*each, given.teacher) for each in batch], [d for _, d in batch])
+        )
+        _follow(mean, reader, min(1 - 1 / MEAN_OF_STEPS, step / (step + 20)))
+        if time.monotonic() - told_s > TOLD_EVERY_S:
+            told_s = time.monotonic()
+            print(f"step {step + 1}: {_held_out(reader, mean, given.checked)}", flush=True)
+    print(f"end: {_held_out(reader, mean, given.checked)}", flush=True)
+    return mean
+
+
+def _step(reader: Reader, optimizer: torch.optim.Optimizer, loss: Tensor) -> None:
+    optimizer.zero_grad()
+    loss.backward()
+    nn.utils.clip_grad_norm_(reader.parameters(), 1.0)
+    optimizer.step()
+
+
+def _follow(mean: dict[str, Tensor], reader: Reader, decay: float) -> None:
+    with torch.no_grad():
+        for name, each in reader.weights.items():
+            if each.requires_grad:
+                mean[name].lerp_(each, 1 - decay)
+
+
+def _taught(each: Encoded, told: Delivery, teacher: Encoder) -> Encoded:
+    """The line with its targets drawn towards what the teacher reads."""
+    reading = teacher.read(each.line.words, told)
+    manner = np.array([(reading.size + 1) / 2, (reading.speed + 1) / 2], np.float32)
+    read = np.concatenate(
+        [
+            *(reading.at_word, reading.nearby, reading.stroke[:, None], reading.head, reading.face, reading.gaze),
+            np.broadcast_to(manner, (len(each.ends), len(MANNER))),
+        ],
+        axis=1,
+    ).astype(np.float32)
+    wanted: SingleArray = (1 - TAUGHT) * each.wanted + TAUGHT * read
+    return replace(each, wanted=wanted)
+
+
+def _endless(given: Material, chance: random.Random) -> Iterator[list[Told]]:
+    """Batches of lines of about the same length, epoch after epoch."""
+    mask = given.vocabulary.get("[MASK]", given.vocabulary["[UNK]"])
+    while True:
+        ordered = sorted(_epoch(given.kept, chance), key=lambda each: len(each[0].pieces) + 6 * chance.random())
+        batches = [ordered[first : first + BATCH] for first in range(0, len(ordered), BATCH)]
+        chance.shuffle(batches)
+        for batch in batches:
+            yield [(_with_hidden(each, mask, chance), told) for each, told in batch]
+
+
+def _epoch(kept: Sequence[Encoded], chance: random.Random) -> Iterator[Told]:
+    """The lines of an epoch and what is heard of them, some of them cut, some joined."""
+    singles: list[Encoded] = []
+    for each in kept:
+        if not each.line.careful and chance.random() >= OLD_SHARE:
+            continue
+        lot = 1.0 if each.line.is_delivery else chance.random()
+        if lot < CUT:
+            yield _cut(each, chance), WORDS_ALONE
+        elif lot < CUT + JOINED and len(each.pieces) < SHORT_PIECES:
+            singles.append(each)
+        else:
+            yield each, heard(each.line, {}, chance)
+    chance.shuffle(singles)
+    for first, second in zip(singles[::2], singles[1::2], strict=False):
+        yield _joined(first, second), WORDS_ALONE
+
+
+def _cut(each: Encoded, chance: random.Random) -> Encoded:
+    """What comes before or after the end of a sentence; the whole line where it has none inside."""
+    words = each.line.words
+    ends = [place + 1 for place, (word, _) in enumerate(pairwise(words)) if word.rstrip("'\"”’)")[-1:] in set(".!?…")]
+    if not ends:
+        return each
+    end = chance.choice(ends)
+    return _part(each, 0, end) if chance.random() < 0.5 else _part(each, end, len(words))
+
+
+def _part(each: Encoded, first: int, last: int) -> Encoded:
+    if last - first < FEWEST_WORDS:
+        return each
+    ends = each.ends[first:last]
+    return replace(
+        each,
+        line=replace(each.line, words=each.line.words[first:last]),
+        pieces=[each.pieces[0], *each.pieces[ends[0, 0] : ends[-1, 1] + 1], each.pieces[-1]],
+        ends=ends - (ends[0, 0] - 1),
+        wanted=each.wanted[first:last],
+        counts=each.counts[first:last],
+    )
+
+
+def _joined(first: Encoded, second: Encoded) -> Encoded:
+    return replace(
+        first,
+        line=replace(first.line, words=first.line.words + second.line.words),
+        pieces=[*first.pieces[:-1], *second.pieces[1:]],
+        ends=np.concatenate([first.ends, second.ends + len(first.pieces) - 2]),
+        wanted=np.concatenate([first.wanted, second.wanted]),
+        counts=np.concatenate([first.counts, second.counts]),
+    )
+
+
+def _with_hidden(each: Encoded, mask: int, chance: random.Random) -> Encoded:
+    inner = [mask if chance.random() < HIDDEN else piece for piece in each.pieces[1:-1]]
+    return replace(each, pieces=[each.pieces[0], *inner, each.pieces[-1]])
+
+
+def _optimizer(reader: Reader) -> torch.optim.Optimizer:
+    """The weights by rate: outputs quicker than layers, lower layers slower."""
+    groups: dict[tuple[float, float], list[nn.Parameter]] = {}
+    for name, each in reader.weights.items():
+        layer = name.split("/")[0].split(".")[0]
+        if not each.requires_grad:
+            continue
+        if name in ("out", "out/bias", "direct"):
+            key = (OUTPUT_FACTOR * RATE, 0.0)
+        elif layer.isdecimal():
+            decayed = each.ndim > 1 and not name.endswith("norm")
+            key = (RATE * LAYER_FACTOR ** (LAYERS - 1 - int(layer)), WEIGHT_DECAY if decayed else 0.0)
+        else:
+            key = (EMBEDDING_FACTOR * RATE, 0.0)
+        groups.setdefault(key, []).append(each)
+    return torch.optim.AdamW([{"params": each, "lr": key[0], "weight_decay": key[1]} for key, each in groups.items()])
+
+
+def _held_out(reader: Reader, mean: Mapping[str, Tensor], checked: Sequence[Encoded]) -> str:
+    """The loss of the running mean on deliveries and on lines."""
+    own = {name: each.detach().clone() for name, each in reader.weights.items()}
+    _set(reader, mean)
+    reader.eval()
+    chance = random.Random(0)
+    told = []
+    with torch.no_grad():
+        for name, deliveries in (("deliveries", True), ("lines", False)):
+            lines = [each for each in checked if each.line.is_delivery is deliveries]
+            batches = [lines[first : first + BATCH] for first in range(0, len(lines), BATCH)]
+            losses = [loss_of(reader, each, [as_written(one.line, {}, chance) for one in each]) for each in batches]
+            told.append(f"{name} {np.mean([float(each) for each in losses]):.4f}")
+    _set(reader, own)
+    reader.train()
+    return ", ".join(told)
+
+
+def _set(reader: Reader, weights: Mapping[str, Tensor]) -> None:
+    with torch.no_grad():
+        for name, each in reader.weights.items():
+            each.copy_(weights[name])
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("output", type=Path)
+    parser.add_argument("--minutes", type=float, default=50.0)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
+    arguments = parser.parse_args()
+    torch.set_num_threads(1)
+    torch.manual_seed(arguments.seed)
+    weights, vocabulary = starting_weights(SHIPPED)
+    reader = Reader(weights, frozen=FROZEN)
+    reader.weights["heard"].requires_grad_(False)
+    given = material(arguments.directing, vocabulary)
+    print(f"{len(given.kept)} lines; {len(given.checked)} held out", flush=True)
+    _set(reader, anneal(reader, given, arguments.minutes, arguments.seed))
+    np.savez(arguments.output, allow_pickle=False, **reader.exported())
+
+
+if __name__ == "__main__":
+    main()
