@@ -169,7 +169,7 @@ def test_other_mistakes_are_told_too(understudy: Understudy, performance: Perfor
     with pytest.raises(library.InputError) as caught:
         library.realize(understudy, performance, fps=24)  # type: ignore[arg-type]
     assert (caught.value.code, caught.value.field) == ("value_wrong", "fps")
-    with pytest.raises(library.InputError, match="one at least"):
+    with pytest.raises(library.InputError, match="at least one"):
         library.make_reference(understudy, [])
 
 

@@ -109,7 +109,8 @@ def test_the_service_writes_the_form_asked_for(nursery: Nursery, performance: Pe
     form = BmlForm(DialectName.SMARTBODY, audio_file="take 7.flac")
     assert answer.content == write_bml(performance, form)
     told = answer.headers["Understudy-Warnings"].split(", ")
-    assert told[-2:] == ["smartbody_gaze", "speech_file_left_out"]
+    assert told[-1] == "speech_file_left_out"
+    assert "smartbody_gaze" in told
 
 
 def test_the_service_sends_the_speech_file_in_json(nursery: Nursery, performance: Performance) -> None:

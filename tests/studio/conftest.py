@@ -28,9 +28,9 @@ STORED = "local_storage,indexeddb,cookies,cache_storage,service_workers"
 """What a page keeps in the browser, but for what belongs to its tab."""
 
 
-@pytest.fixture(scope="package")
-def browser() -> Iterator[Browser]:
-    """Closed after the package: while playwright runs, nothing else in its process can run an event loop."""
+@contextmanager
+def chromium() -> Iterator[Browser]:
+    """The browser. While playwright runs, nothing else in its process can run an event loop."""
     if CHROMIUM is None:
         pytest.skip("chromium is not installed")
     expect.set_options(timeout=PATIENCE_MS)
@@ -38,6 +38,13 @@ def browser() -> Iterator[Browser]:
         found = started.chromium.launch(executable_path=CHROMIUM, args=[*FLAGS, UNSMOOTHED])
         yield found
         found.close()
+
+
+@pytest.fixture(scope="package")
+def browser() -> Iterator[Browser]:
+    """Closed after the package. Imported by a module elsewhere, it would last until the session ends."""
+    with chromium() as found:
+        yield found
 
 
 @pytest.fixture(scope="session")

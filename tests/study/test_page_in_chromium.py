@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Page, ViewportSize
 
-from tests.studio.conftest import PATIENCE_MS, browser
+from tests.studio.conftest import PATIENCE_MS, chromium
 from tests.studio.support.waiting import wait_until
 from understudy.files import resource_folder
 from understudy.models import Understudy
@@ -19,8 +19,6 @@ from understudy.study.comparison import DIMENSIONS, Comparison
 from understudy.study.making.lines import StudyRequest, StudySource
 from understudy.study.making.making import make_study
 from understudy.study.scoring.reading import read_answers, read_key
-
-__all__ = ["browser"]
 
 SMALL: ViewportSize = {"width": 480, "height": 360}
 """Chromium draws without a graphics card here."""
@@ -50,6 +48,12 @@ def studies(understudy: Understudy, tmp_path_factory: pytest.TempPathFactory) ->
         )
         make_study(request, understudy, lambda _told, _notices: None)
     return {comparison: folder / comparison for comparison in Comparison}
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Browser]:
+    with chromium() as found:
+        yield found
 
 
 @pytest.fixture

@@ -4,7 +4,8 @@ The clock of arms and trunk stands still at both ends, and runs up to twice as f
 is the clock of the performance. The first and the last pose are those of the first and the last frame.
 
 What moves a hand after that, such as limbs that are kept apart, does not follow this clock. Where a wrist is not at
-rest in the first or the last frames of the finished motion, the whole body goes by such a clock again.
+rest in the first or the last frames of the finished motion, the whole body goes by such a clock again, but for the
+eyes: they move as fast as eyes can already.
 """
 
 from dataclasses import replace
@@ -59,6 +60,8 @@ def still_at_the_ends(skeleton: Skeleton, body: BodyMotion, over_s: float) -> Bo
     turned = body.rotations[before]
     after = nearest_sign(body.rotations[before + 1], turned)
     rotations[frames] = nearest_sign(normalized(_between(turned, after, share[:, None])), body.rotations[frames])
+    eyes = skeleton.chain("leftEye", "rightEye")
+    rotations[:, eyes] = body.rotations[:, eyes]
     return replace(body, rotations=rotations, hips_m=hips_m)
 
 
