@@ -6,8 +6,8 @@
 A logistic regression on `evidence` of correct and of other texts (`transcripts.py`); a correct text has the weight of
 three wrong ones, because it must not be refused. Prints the accuracy on each half of the material with the weights of
 the other half, then the weights fitted to all, which are those in the code (`--every 2`). With `--plain`, also what
-`training/affect/plain_speech.py --held-out` has said with voices of espeak-ng. Where nothing is
-said, any text is a wrong one. Twenty minutes on one core.
+`training/affect/plain_speech.py --held-out` has said with voices of espeak-ng. Where nothing is said, any text is a
+wrong one. Twenty minutes on one core.
 """
 
 import argparse

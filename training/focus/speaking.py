@@ -30,6 +30,7 @@ import soundfile
 import soxr
 from numpy.typing import NDArray
 
+from training.alignment.transcripts import FLITE
 from understudy.acoustic.alignment.alignment import Aligner
 from understudy.errors import UnderstudyError
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray
@@ -38,7 +39,6 @@ from understudy.text.transcript import read_transcript
 ROOT = Path(__file__).resolve().parents[2]
 STEP_MS = 5.0
 VOICES = ("slt", "en-us+f3", "rms", "en-gb-x-rp+m3", "awb", "kal16", "en-us+m7", "en-gb-scotland+f2", "en-us+f5")
-FLITE = frozenset(("slt", "rms", "awb", "kal16"))
 FRAME_S = STEP_MS / 1000
 
 

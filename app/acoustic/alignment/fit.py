@@ -3,8 +3,8 @@
 The aligner finds a path for nearly any text, so the fit of the phones must decide. A wrong text fits badly nearly
 everywhere, and its phones are squeezed and stretched; a correct one in a bad recording fits badly here and there. The
 weights of `misfit` are those of a logistic regression on clean, acted, synthetic and noisy speech with correct and
-wrong texts (`python -m training.alignment.misfit --plain`). Scores are log likelihoods per frame of .01 s, relative to
-those of the sounds that fit best.
+wrong texts, and on recordings in which nothing is said (`python -m training.alignment.misfit --every 2 --plain
+FOLDER`). Scores are log likelihoods per frame of .01 s, relative to those of the sounds that fit best.
 
 Above `REFUSED` the text is refused, above `SUSPECT` there is a warning. In noise and over the telephone correct texts
 fit worse too, and so they do where a voice is raised so high that the aligner's acoustic model, taught by people who

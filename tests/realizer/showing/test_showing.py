@@ -6,6 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from benchmarks.realizer.gestures.shown_amounts import swings
 from understudy.model import Behavior, Channel, FloatArray, Hand, Level, Schedule, SyncPoints
 from understudy.model.slots import Distance, Side, Size, Slots, Which
 from understudy.model.slots import Height as Tall
@@ -180,7 +181,7 @@ def test_a_raised_hand_waves(realizer: Realizer, lexeme: str, stroke_s: float, l
             assert made.relax is not None
             rows = slice(round(made.stroke_start * RATE_HZ), round((made.relax + 0.1) * RATE_HZ))
             aside_m = at_m[rows, realizer.skeleton.index["rightMiddleDistal"], 0]
-            assert _swings(aside_m, 0.10) >= 3
+            assert swings(aside_m, 0.10) >= 3
 
 
 @pytest.mark.parametrize("level", list(Level))
@@ -192,18 +193,6 @@ def test_who_is_taller_is_over_the_crown_soon_after_another_gesture_too(realizer
     found = shown(realizer, replace(there, sync=replace(there.sync, relax=1.0)), taller, level=level)
     frame = found.at_end(taller)
     assert found.joint_m("rightMiddleProximal", frame)[1] > found.crown_m(frame)
-
-
-def _swings(aside_m: FloatArray, least_m: float) -> int:
-    """How many ways of at least that length a curve goes to and fro."""
-    found, from_m, to_m = 0, aside_m[0], aside_m[0]
-    for value in aside_m:
-        if (value - to_m) * (to_m - from_m) >= 0:
-            to_m = value
-        elif abs(value - to_m) >= least_m / 2:
-            found += abs(to_m - from_m) >= least_m
-            from_m, to_m = to_m, value
-    return found + int(abs(to_m - from_m) >= least_m)
 
 
 def test_without_slots_nothing_is_shown(realizer: Realizer) -> None:
