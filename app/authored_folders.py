@@ -63,11 +63,19 @@ class _Bundled:
         if not inside.parts:
             return None
         if folder == self.rules:
-            is_read = inside.parts[0] in _KINDS_OF_RULES if len(inside.parts) == 2 else (folder / inside).is_file()
+            is_read = inside.parts[0] in _KINDS_OF_RULES if len(inside.parts) == 2 else _is_file(folder / inside)
         else:
-            is_read = inside.parts[0] in _FOLDERS if len(inside.parts) > 1 else (folder / inside).is_file()
+            is_read = inside.parts[0] in _FOLDERS if len(inside.parts) > 1 else _is_file(folder / inside)
             is_read = is_read and inside.suffix != ".rules"
         return PurePosixPath(folder.relative_to(self.root).as_posix()) / inside if is_read else None
+
+
+def _is_file(path: Path) -> bool:
+    """Whether there is such a file; none has a name that is too long."""
+    try:
+        return path.is_file()
+    except OSError:
+        return False
 
 
 @contextmanager

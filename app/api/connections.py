@@ -9,6 +9,7 @@ import asyncio
 import logging
 import select
 import socket
+import sys
 from asyncio.transports import BaseTransport
 from http import HTTPStatus
 from typing import Any
@@ -27,6 +28,15 @@ MOST_HEADERS = 100
 HEADERS_IN = 2
 """A request's headers may take so many times `idle_s`."""
 
+SLOWEST_BYTES_PER_S = 1024
+"""A client that takes less of an answer, over `READ_IN` times `idle_s`, is disconnected. What it takes is known in
+pieces, as its kernel makes room: up to some hundred kilobytes."""
+
+READ_IN = 2
+
+_ACKED = slice(120, 128)
+"""Where `tcpi_bytes_acked` stands in Linux's `struct tcp_info`."""
+
 
 class LimitedProtocol(H11Protocol):
     """uvicorn's HTTP/1.1 protocol with the limits of `settings`."""
@@ -36,7 +46,7 @@ class LimitedProtocol(H11Protocol):
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         super().connection_made(transport)
         self._checking: asyncio.TimerHandle | None = None
-        self._unread_bytes = 0
+        self._taken_bytes, self._read_until_s = 0, 0.0
         self._headers_due_s = self.loop.time() + HEADERS_IN * self.settings.idle_s
         if len(self.connections) > self.settings.max_connections:
             transport.write(connections_full())
@@ -80,16 +90,30 @@ class LimitedProtocol(H11Protocol):
         return self.cycle is not None and not self.cycle.response_complete
 
     def _check(self) -> None:
-        """Periodically: aborts a connection whose headers are late, or whose client has read nothing since."""
-        unread_bytes = self.transport.get_write_buffer_size()
-        is_stuck = bool(unread_bytes) and unread_bytes == self._unread_bytes
+        """Periodically: aborts a connection whose headers are late, or whose client reads nothing, or hardly."""
+        now_s, is_unread = self.loop.time(), self.transport.get_write_buffer_size() > 0
         is_idle = self.timeout_keep_alive_task is not None
-        is_late = not self._is_in_request and not is_idle and self.loop.time() > self._headers_due_s
-        if is_stuck or (is_late and not unread_bytes):
+        is_late = not self._is_in_request and not is_idle and now_s > self._headers_due_s
+        self._extend_reading(now_s, is_unread)
+        if now_s > self._read_until_s or (is_late and not is_unread):
             self.transport.abort()
             return
-        self._unread_bytes = unread_bytes
         self._checking = self.loop.call_later(self.settings.idle_s, self._check)
+
+    def _extend_reading(self, now_s: float, is_unread: bool) -> None:
+        """Each byte that the client has taken gives it more time for the others."""
+        before_bytes, self._taken_bytes = self._taken_bytes, _taken_bytes(self.transport)
+        longest_s = now_s + READ_IN * self.settings.idle_s
+        given_s = (self._taken_bytes - before_bytes) / SLOWEST_BYTES_PER_S
+        self._read_until_s = min(self._read_until_s + given_s, longest_s) if is_unread else longest_s
+
+
+def _taken_bytes(transport: asyncio.Transport) -> int:
+    """How many bytes the client has acknowledged; where only Linux says that, less for more in our own buffer."""
+    if not hasattr(socket, "TCP_INFO"):
+        return -transport.get_write_buffer_size()
+    told = transport.get_extra_info("socket").getsockopt(socket.IPPROTO_TCP, socket.TCP_INFO, _ACKED.stop)
+    return int.from_bytes(told[_ACKED], sys.byteorder)
 
 
 def limited_protocol(settings: Settings) -> type[LimitedProtocol]:

@@ -94,7 +94,7 @@ def test_the_files_of_rules_are_read_by_their_names(client: TestClient) -> None:
     assert WORDS in listed["files"]
     assert (listed["saved"], listed["writable"]) == ([], False)
     assert client.get(f"/rules/files/{WORDS}").json()["text"] == text_of(WORDS)
-    for name in ("pyproject.toml", "lexicon/en/%2e%2e/behaviors.yaml", ""):
+    for name in ("pyproject.toml", "lexicon/en/%2e%2e/behaviors.yaml", "", "a" * 300, "%00"):
         assert client.get(f"/rules/files/{name}").status_code == 404
 
 

@@ -12,23 +12,26 @@ import pytest
 import uvicorn
 from starlette.types import Receive, Scope, Send
 
-from understudy.api.connections import HEADERS_IN, MOST_HEADERS, limited_protocol
+from understudy.api.connections import HEADERS_IN, MOST_HEADERS, READ_IN, limited_protocol
 from understudy.settings import Settings
 
 GET = b"GET / HTTP/1.1\r\nHost: x\r\n\r\n"
 LARGE = 64 << 20
 """Bytes: more than the buffers of two sockets hold."""
+SMALL = 12 << 20
 
 LONGEST_S = 60.0
 SOON_S = 0.1
+SLOW_LINE_S = 0.2
 SENT_WITHIN_S = 2.0
 """In which time a small request is sent, however busy the machine."""
 
 
 async def answer(scope: Scope, _receive: Receive, send: Send) -> None:
-    """Many bytes at /large, two elsewhere."""
+    """Many bytes at /large, fewer at /small, two elsewhere."""
     await send({"type": "http.response.start", "status": 200})
-    await send({"type": "http.response.body", "body": b"x" * LARGE if scope["path"] == "/large" else b"ok"})
+    sizes = {"/large": LARGE, "/small": SMALL}
+    await send({"type": "http.response.body", "body": b"x" * sizes[scope["path"]] if scope["path"] in sizes else b"ok"})
 
 
 @contextmanager
@@ -95,6 +98,28 @@ def test_an_answer_that_nobody_reads_ends_the_connection() -> None:
             assert time.monotonic() < ends_s
             time.sleep(0.02)
         assert sum(map(len, received(client))) < LARGE
+
+
+def test_an_answer_that_is_read_a_few_bytes_at_a_time_ends_the_connection() -> None:
+    with served(idle_s=SOON_S) as (server, connect), connect() as client:
+        client.sendall(GET.replace(b"/ ", b"/large "))
+        ends_s = time.monotonic() + LONGEST_S
+        while not server.server_state.total_requests or server.server_state.connections:
+            with suppress(ConnectionError):
+                client.recv(2)
+            assert time.monotonic() < ends_s
+            time.sleep(0.02)
+
+
+def test_a_client_with_a_slow_line_gets_the_whole_answer() -> None:
+    """It takes so little that the kernel makes room for more only now and then."""
+    with served(idle_s=SLOW_LINE_S) as (_server, connect), connect() as client:
+        client.sendall(GET.replace(b"/ ", b"/small ").replace(b"\r\n\r\n", b"\r\nConnection: close\r\n\r\n"))
+        began_s, size = time.monotonic(), 0
+        while time.monotonic() < began_s + 3 * READ_IN * SLOW_LINE_S:
+            size += len(client.recv(1 << 12))
+            time.sleep(0.01)
+        assert size + sum(map(len, received(client))) > SMALL
 
 
 def test_a_kept_connection_may_ask_again_after_longer_than_headers_may_take() -> None:

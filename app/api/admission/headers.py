@@ -51,10 +51,11 @@ def is_own_page(origin: str, host: str | None, allowed: Collection[str]) -> bool
 
 
 def _name(host: str | None) -> str:
-    """Without its port, in lower case; IPv6 keeps its brackets."""
+    """Without its port, in lower case; IPv6 keeps its brackets. Empty for what is no name."""
     host = (host or "").lower()
     if host.startswith("["):
-        return host.partition("]")[0] + "]"
+        name, closed, port = host.partition("]")
+        return name + closed if not port or port.startswith(":") else ""
     return (host if host.count(":") > 1 else host.partition(":")[0]).rstrip(".")
 
 
