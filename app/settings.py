@@ -73,10 +73,10 @@ class Settings(BaseSettings):
         default=None, description="another spaCy pipeline, by name or folder (ClearNLP or UD labels); ours if unset"
     )
     emphasis: Literal["prominence", "ratio"] = Field(
-        default="prominence", description="what emphasises a word: our prominence, or the paper's stressed ratio"
+        default="prominence", description="what makes a word emphasised: our prominence, or the paper's stressed ratio"
     )
     agitation_features: Literal["paper", "full"] = Field(
-        default="full", description="what agitation is judged by: the paper's 12 MFCC, or all that helps"
+        default="full", description="features from which agitation is judged: the paper's 12 MFCC, or our full set"
     )
     affect_model: Path | None = Field(
         default=None, description="your own ONNX model from the waveform to activation and valence; ours if unset"
@@ -94,7 +94,8 @@ class Settings(BaseSettings):
         "ones, separated as in PATH",
     )
     choice: Literal["terms", "priority"] = Field(
-        default="terms", description="what is shown: what a director would choose, or the paper's functions by priority"
+        default="terms",
+        description="how movements are chosen: by weighted terms, or by priority as in the paper",
     )
     cache: str | None = Field(
         default=None, description='where compiled rules are kept between processes, "off" for nowhere'
@@ -102,23 +103,21 @@ class Settings(BaseSettings):
     blender: str | None = Field(
         default=None, description="the Blender that writes FBX, or a Python that has bpy; blender in the PATH if unset"
     )
-    physics: bool = Field(
-        default=False, description="move bodies with physics where nobody says (needs understudy[physics])"
-    )
+    physics: bool = Field(default=False, description="move bodies with physics by default (needs understudy[physics])")
     host: str = Field(default="127.0.0.1", description="address the service listens on")
     port: int = Field(default=8000, ge=0, le=65535, description="port the service listens on; 0 picks a free one")
     api_keys: SecretStr | None = Field(
-        default=None, description="keys of which callers send one, separated by commas; anybody may call if unset"
+        default=None, description="accepted API keys, separated by commas; no key is needed if unset"
     )
     api_keys_file: Path | None = Field(default=None, description="a file with further keys, one a line")
     api_key: SecretStr | None = Field(
         default=None, description="the key that `understudy batch --service` sends to another's service"
     )
     allow_anonymous: bool = Field(
-        default=False, description="listen on addresses that others can reach although there is no key"
+        default=False, description="listen on addresses that others can reach without requiring a key"
     )
     allowed_hosts: str | None = Field(
-        default=None, description="names the service may be called by, separated by commas; any if unset"
+        default=None, description="host names that the service accepts, separated by commas; any if unset"
     )
     allowed_origins: str | None = Field(
         default=None,
@@ -128,10 +127,10 @@ class Settings(BaseSettings):
         default=None,
         ge=1,
         le=65535,
-        description="another port, where alone metrics and docs are; no key is asked there",
+        description="a separate port for metrics and docs, which then need no key",
     )
     closed: str | None = Field(
-        default=None, description="what is not answered of metrics, docs and studio, separated by commas"
+        default=None, description="pages to turn off: metrics, docs, studio, separated by commas"
     )
     workers: int | None = Field(
         default=None, gt=0, description="processes that perform lines, one line each at a time; one a core if unset"
@@ -141,7 +140,7 @@ class Settings(BaseSettings):
     )
     queue_s: float = Field(default=10.0, gt=0, description="a request that waits longer for a worker is answered 503")
     deadline_s: float = Field(default=60.0, gt=0, description="a request that takes longer is answered 504")
-    grace_s: float = Field(default=10.0, ge=0, description="how long requests may go on when the service is stopped")
+    grace_s: float = Field(default=10.0, ge=0, description="how long running requests may go on when the service stops")
     worker_memory_bytes: int = Field(
         default=384 * 1024 * 1024, gt=0, description="memory that a worker may take for a request; 413 beyond"
     )
@@ -151,32 +150,32 @@ class Settings(BaseSettings):
     )
     max_motion_s: float = Field(default=150.0, gt=0, description="longest motion answered, seconds")
     max_uploads_bytes: int = Field(
-        default=256 * 1024 * 1024, gt=0, description="all bodies in memory together, bytes; 503 beyond"
+        default=256 * 1024 * 1024, gt=0, description="all request bodies in memory together, bytes; 503 beyond"
     )
     upload_s: float = Field(default=30.0, gt=0, description="a body that takes longer to arrive is answered 408")
-    idle_s: float = Field(
-        default=5.0, gt=0, description="a connection on which nothing comes or goes for so long is ended"
-    )
-    max_connections: int = Field(default=512, gt=0, description="connections at the same time; 503 beyond")
+    idle_s: float = Field(default=5.0, gt=0, description="a connection idle for longer is closed")
+    max_connections: int = Field(default=512, gt=0, description="concurrent connections; 503 beyond")
     live_streams: int | None = Field(
-        default=None, ge=0, description="live streams at the same time, refused beyond; eight a core if unset"
+        default=None, ge=0, description="concurrent live streams, refused beyond; eight a core if unset"
     )
     live_streams_per_caller: int | None = Field(
         default=None,
         gt=0,
         description="live streams of one key or address; if unset all, or three quarters where there are keys",
     )
-    live_s: float = Field(default=14_400.0, gt=0, description="longest live stream, seconds of sound and by the clock")
+    live_s: float = Field(
+        default=14_400.0, gt=0, description="longest live stream, seconds of sound and of wall-clock time"
+    )
     live_message_s: float = Field(
         default=10.0, gt=0, description="processor time that a message of a live stream may take, seconds"
     )
     live_idle_s: float = Field(
-        default=30.0, gt=0, description="a live stream on which nothing is sent for so long is ended"
+        default=30.0, gt=0, description="a live stream to which nothing is sent for longer is closed"
     )
     live_ahead_s: float = Field(
         default=10.0,
         ge=0,
-        description="seconds that the sound of a live stream may be ahead of the clock",
+        description="seconds by which the sound of a live stream may run ahead of real time",
     )
     rate_per_minute: int = Field(
         default=0, ge=0, description="requests for work a minute from one address, 429 beyond; 0 for any number"

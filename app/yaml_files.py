@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 Plain: TypeAlias = "str | list[Plain] | dict[str, Plain]"
 DEEPEST = 32
-"""How deep lists and mappings may stand in each other; those of ours stand five deep."""
+"""How deep lists and mappings may be nested; ours are five deep."""
 
 MOST_NODES = 50_000
 """Keys, values, lists and mappings of one file; the largest of ours has 5,000."""
@@ -100,14 +100,14 @@ class Source:
         return node
 
     def _check_events(self) -> None:
-        """Refuses anchors, aliases and tags; and at once what is too deep or too large, for to build that, or only to
-        read on, may take all memory or for ever."""
+        """Refuses anchors, aliases and tags, and stops at once when nesting or size pass their limits, because building
+        such a tree may exhaust memory."""
         depth, nodes, hidden = 0, 0, list[Mistake]()
         for event in yaml.parse(self._text, Loader=yaml.CSafeLoader):
             depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
             nodes += isinstance(event, yaml.NodeEvent)
             if depth > DEEPEST:
-                raise AuthoringError((self._at(event.start_mark, f"more than {DEEPEST} levels in each other"),))
+                raise AuthoringError((self._at(event.start_mark, f"nested more than {DEEPEST} levels deep"),))
             if nodes > MOST_NODES:
                 raise AuthoringError((self._at(event.start_mark, f"more than {MOST_NODES} keys and values"),))
             if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None) or getattr(event, "tag", None):
@@ -116,7 +116,7 @@ class Source:
             raise _wrong(hidden)
 
     def _refuse_wrong_keys(self) -> None:
-        """Refuses keys that a later one of the same name would override, or that are no words."""
+        """Refuses duplicate keys, and keys that are lists or mappings."""
         mistakes = [self._at(key.start_mark, message) for key, message in _wrong_keys(self._root)]
         if mistakes:
             raise _wrong(mistakes)
@@ -136,7 +136,7 @@ def _wrong(mistakes: Iterable[Mistake]) -> AuthoringError:
     """With all mistakes, or with the first and how many more there are."""
     told = list(islice(mistakes, MOST_MISTAKES + 1))
     if len(told) > MOST_MISTAKES:
-        told[-1] = replace(told[-1], message="and more mistakes; correct these first")
+        told[-1] = replace(told[-1], message="there are more mistakes; correct these first")
     return AuthoringError(tuple(told))
 
 
@@ -158,7 +158,7 @@ def _wrong_keys(node: yaml.Node) -> Iterator[tuple[yaml.Node, str]]:
                 yield key, "a key is a word, not a list or a mapping"
                 continue
             if key.value in seen:
-                yield key, f"the key {shown(key.value)} stands here a second time"
+                yield key, f"duplicate key {shown(key.value)}"
             seen.add(key.value)
             yield from _wrong_keys(value)
 
@@ -188,29 +188,29 @@ def _readable(found: "ErrorDetails", schema: type[BaseModel]) -> str:
         case "extra_forbidden":
             return "unknown key"
         case "model_type" | "dict_type":
-            return f"{_value_told(found['input'])}; give keys with values here{_keys_of(found, schema)}"
+            return f"expected keys with values{_keys_of(found, schema)}; found {_described(found['input'])}"
         case "tuple_type" | "list_type" | "set_type" | "frozen_set_type":
-            return f"{_value_told(found['input'])}; give a list here, as [one, two]"
+            return f"expected a list, such as [one, two]; found {_described(found['input'])}"
         case _:
             return found["msg"]
 
 
-def _value_told(value: object) -> str:
-    """What stands in the place of something else."""
+def _described(value: object) -> str:
+    """A value of the wrong type."""
     if isinstance(value, dict):
-        return "keys with values stand here"
-    return "a list stands here" if isinstance(value, list) else f"{shown(value)} stands here alone"
+        return "keys with values"
+    return "a list" if isinstance(value, list) else shown(value)
 
 
 def _keys_of(found: "ErrorDetails", schema: type[BaseModel]) -> str:
-    """The keys of the entry that was meant, those that it must have first."""
+    """The keys of the entry that was meant, the required ones first."""
     name = found.get("ctx", {}).get("class_name")
     model = next((each for each in _models_in(schema, set()) if each.__name__ == name), None)
     if model is None or issubclass(model, RootModel):
         return ""
     fields = sorted(model.model_fields.items(), key=lambda field: not field[1].is_required())
-    keys = [f"{field.alias or key}{' (always)' if field.is_required() else ''}" for key, field in fields]
-    return f": {', '.join(keys)}"
+    keys = [f"{field.alias or key}{' required' if field.is_required() else ''}" for key, field in fields]
+    return f" ({', '.join(keys)})"
 
 
 def _models_in(annotation: object, seen: set[object]) -> Iterator[type[BaseModel]]:

@@ -49,10 +49,10 @@ def test_a_missing_key_is_told_where_its_mapping_begins(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "place", "told"),
     [
-        ("sides: [rice]", (3, 9), "'rice' stands here alone; give keys with values here: name (always), hot"),
-        ("sides: [[rice]]", (3, 9), "a list stands here; give keys with values here: name (always), hot"),
-        ("sides: rice", (3, 8), "'rice' stands here alone; give a list here, as [one, two]"),
-        ("sides: {name: rice}", (3, 8), "keys with values stand here; give a list here, as [one, two]"),
+        ("sides: [rice]", (3, 9), "expected keys with values (name required, hot); found 'rice'"),
+        ("sides: [[rice]]", (3, 9), "expected keys with values (name required, hot); found a list"),
+        ("sides: rice", (3, 8), "expected a list, such as [one, two]; found 'rice'"),
+        ("sides: {name: rice}", (3, 8), "expected a list, such as [one, two]; found keys with values"),
         ("sides: [{hot: yes}]", (3, 9), "the key 'name' is missing"),
     ],
 )
@@ -89,7 +89,7 @@ def test_a_file_that_is_no_text_is_told(tmp_path: Path) -> None:
 )
 def test_what_is_too_deep_is_refused_before_it_is_built(tmp_path: Path, text: str) -> None:
     [(_line, _column, message)] = _mistakes(tmp_path, text)
-    assert message == f"more than {DEEPEST} levels in each other"
+    assert message == f"nested more than {DEEPEST} levels deep"
 
 
 def test_as_deep_as_may_be_is_read(tmp_path: Path) -> None:

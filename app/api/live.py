@@ -166,7 +166,7 @@ async def _stop(service: Service) -> None:
 
 
 async def _expire(settings: Settings) -> None:
-    """Limits a stream by the clock as by its sound, or one without sound would hold a place for ever."""
+    """Limits a stream in wall-clock time as in sound; one without sound would otherwise never end."""
     await asyncio.sleep(settings.live_s)
     raise TooLargeError("live_too_long", f"a stream lasts {settings.live_s:g} s at most; begin another")
 

@@ -56,7 +56,7 @@ class Server(uvicorn.Server):
 
     async def on_tick(self, counter: int) -> bool:
         if self.stopped_by is not None and self._draining is None:
-            _LOGGER.info("stopping; what runs may go on for %g s", self._grace_s)
+            _LOGGER.info("stopping; running requests have %g s to finish", self._grace_s)
             self._draining = asyncio.create_task(self._drain())
         return await super().on_tick(counter)
 
@@ -110,7 +110,7 @@ async def reload(service: Service) -> None:
     try:
         await asyncio.to_thread(service.pool.nursery.reload)
     except UnderstudyError as error:
-        _LOGGER.error("nothing reloaded, what was loaded before stays:\n%s", error.message)
+        _LOGGER.error("nothing reloaded; the previous data stay in use:\n%s", error.message)
         service.not_reloaded = error.message
         return
     await service.pool.replace_all()

@@ -108,7 +108,7 @@ class RecordingPattern:
             else:
                 made += "[^/]*" if star else re.escape(plain)
         if not {"id", "row"} & set(places):
-            message = f"pattern {text!r}: says nothing of the line; put {{id}} where its id stands"
+            message = f"pattern {text!r}: does not identify the line; put {{id}} where its id is"
             raise InputError("pattern_wrong", message, field="pattern")
         return cls(re.compile(made, re.IGNORECASE), tuple(name for name in places if name != "take"), "/" in text)
 

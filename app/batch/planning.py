@@ -157,7 +157,7 @@ def _require_spared(request: BatchRequest, jobs: Sequence[tuple[Take, LineJob]])
     for _take, job in jobs:
         for target in job.targets:
             if f"{out}/{target.path}" in spared:
-                message = f"{target.path} in {request.out} is read; give another --out or --layout, nothing was written"
+                message = f"{target.path} in {request.out} is an input; nothing was written, give another --out"
                 raise InputError("files_same", message, field="out")
 
 

@@ -113,7 +113,7 @@ def _from_the_first_frame(profile: Profile, lexemes: tuple[str, ...]) -> Iterato
             last=0,
             priority=PRIORITY,
             rule=f"profile_{profile.name}",
-            reason=f"{profile.name} stands so",
+            reason=f"the usual stance of {profile.name}",
         )
 
 
@@ -163,7 +163,7 @@ def _beside(behavior: Behavior, postures: Iterable[Behavior]) -> Behavior:
     other = next((each for each in postures if each.sync.start < sync.end and sync.start < each.sync.end), None)
     if other is None:
         return behavior
-    return replace(behavior, kept=False, lost_to=other.id, reason=f"the body is about to take {other.lexeme}")
+    return replace(behavior, kept=False, lost_to=other.id, reason=f"the body is about to change to {other.lexeme}")
 
 
 def repertoire_of(

@@ -127,7 +127,7 @@ def _hand(
     if hand in possible:
         return hand, ()
     instead = usual if usual in possible else possible[0]
-    message = f"behaviors[{number}]: {entry.lexeme} is not made by the {hand} hand; it is by {instead}"
+    message = f"behaviors[{number}]: {entry.lexeme} has no form for the {hand} hand; {instead} is used"
     return instead, ((Notice("edit_hand_unknown", message),) if wanted else ())
 
 

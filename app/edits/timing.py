@@ -150,7 +150,7 @@ def _with_the_eyes_alone(behavior: Behavior, head: Behavior) -> Behavior:
     apart = behavior.sync.end <= head.sync.start or head.sync.end <= behavior.sync.start
     if apart or (behavior.kind, behavior.lexeme, head.kind) != (Channel.GAZE, LOOK, Channel.HEAD):
         return behavior
-    return replace(behavior, lexeme=GLANCE, reason=f"with the eyes alone: the head has its {head.lexeme}")
+    return replace(behavior, lexeme=GLANCE, reason=f"with the eyes alone: the head makes a {head.lexeme}")
 
 
 def _beside(
@@ -193,7 +193,7 @@ def _begun_after(behavior: Behavior, beside: Behavior) -> Behavior:
 
 
 def _shortened(behavior: Behavior, sync: SyncPoints, beside: Behavior) -> Behavior:
-    return replace(behavior, sync=sync, reason=behavior.reason or f"shortened beside {beside.lexeme}")
+    return replace(behavior, sync=sync, reason=behavior.reason or f"shortened to make room for {beside.lexeme}")
 
 
 def _struck_s(sync: SyncPoints) -> float:

@@ -259,7 +259,7 @@ def _cut(plan: GesturePlan, end_s: float) -> tuple[Decision, ...]:
     """The gestures whose retraction is cut off by the end of the motion."""
     late_s = {each.behavior: each.markers.end - end_s for each in plan.gestures if each.blended_to is None}
     return tuple(
-        Decision(name, "cut", f"the hand would be at rest {over_s:.2f} s after the end; a tail gives it the time")
+        Decision(name, "cut", f"the hand would be at rest {over_s:.2f} s after the end; add a tail")
         for name, over_s in late_s.items()
         if over_s > _NOTICEABLE_S
     )

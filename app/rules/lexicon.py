@@ -204,7 +204,7 @@ def _duplicates(source: Source, entries: Iterable[LexicalEntry]) -> Iterator[Mis
         if first != entry.line:
             text = source.lines[entry.line - 1]
             column = max(text.find(entry.phrase), 0) + 1
-            yield Mistake(source.path, entry.line, column, f"{entry.phrase!r} stands already in line {first}", text)
+            yield Mistake(source.path, entry.line, column, f"{entry.phrase!r} is already in line {first}", text)
 
 
 def _trie(entries: Iterable[LexicalEntry]) -> _Node:

@@ -157,11 +157,11 @@ class BehaviorEditForm(_EditForm):
         says = [name for name in ("lexeme", "hand", "amount", "direction", "omit") if getattr(self, name) is not None]
         named = self.lexeme or (self.of.lexeme if self.of else None)
         found = {
-            "give either of, or add and on": (self.of is None) == (self.add is None),
+            "give either of, or both add and on": (self.of is None) == (self.add is None),
             "give on with add, and not with of": (self.add is None) != (self.on is None),
             "what is added needs a lexeme": self.add is not None and self.lexeme is None,
             "a lock needs a lexeme, its own or that of `of`": self.lock and named is None,
-            "what is omitted has nothing else": self.omit is not None and (len(says) > 1 or self.lock),
+            "an edit with omit takes no other fields": self.omit is not None and (len(says) > 1 or self.lock),
             "it changes nothing": bool(self.of) and not (says or self.lock or self.marks != MarksForm()),
             f"hand is for gesture, this is {channel}": self.hand is not None and channel is not Channel.GESTURE,
             f"direction is for gaze, this is {channel}": self.direction is not None and channel is not Channel.GAZE,

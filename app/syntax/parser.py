@@ -9,7 +9,7 @@ punctuation or, in a line without any, after long pauses. In a punctuated line a
 
 Pipelines are loaded in less than half of the time that spaCy takes, for two things are left out that no pipeline needs
 to parse. `import spacy` brings its command line with it, and with that five HTTP, terminal and template libraries, a
-third of the time: here an empty module stands in its place until the import is over, after which `spacy.cli` can be
+third of the time: here an empty module replaces it until the import is over, after which `spacy.cli` can be
 imported as usual. And a tokenizer is first made with all the exceptions of its language, which are then replaced by
 those of the pipeline's folder: here it begins with none.
 """

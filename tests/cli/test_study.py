@@ -171,5 +171,5 @@ def test_lines_in_which_nothing_differs_are_no_study(capfdbinary: Captured, tmp_
     code, _, err = _run(capfdbinary, *made)
     assert code == 2
     assert "both versions are the same: left out" in err
-    assert "nobody could tell the conditions of any line apart; take lines of 11 to 28 s" in err
+    assert "the conditions differ visibly in no line; take lines of 11 to 28 s" in err
     assert not (tmp_path / "out").exists()

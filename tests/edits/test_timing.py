@@ -107,7 +107,7 @@ def test_what_comes_before_gives_up_its_retraction_and_its_hold() -> None:
     found = _settled(_gesture("mine", 1.1), _gesture("other", 0.0))
     assert found["mine"] == _gesture("mine", 1.1)
     assert (found["other"].sync.relax, found["other"].sync.end) == (1.1, 1.1)
-    assert found["other"].reason == "shortened beside MINE"
+    assert found["other"].reason == "shortened to make room for MINE"
 
 
 def test_what_comes_after_begins_later_and_has_the_retraction_before_it() -> None:

@@ -103,7 +103,7 @@ def test_every_mistake_of_every_file_is_reported_at_its_place(tmp_path: Path) ->
     places = [(mistake.path.name, mistake.line) for mistake in error.value.mistakes]
     assert places == [("a.yaml", 3), ("a.yaml", 8), ("a.yaml", 6), ("a.yaml", 7), ("b.yaml", 6)]
     messages = str(error.value)
-    for part in ("needs {}", "'form' or 'lemma'", "unknown part of speech NOUNS", "'so' stands already in line 5"):
+    for part in ("needs {}", "'form' or 'lemma'", "unknown part of speech NOUNS", "'so' is already in line 5"):
         assert part in messages
 
 

@@ -86,11 +86,11 @@ def _of_a_gesture(**told: object) -> str:
         ('{"words": [{"at": {"word": 0}}]}', ["words[0]: it changes nothing"]),
         ('{"words": [{"at": {"word": 0}, "start_s": 1}]}', ["words[0]: start_s and end_s go together"]),
         ('{"words": [{"at": {"word": 0}, "start_s": 1, "end_s": 1}]}', ["words[0]: it starts at 1 s and ends at 1 s"]),
-        ('{"behaviors": [{}]}', ["behaviors[0]: give either of, or add and on"]),
+        ('{"behaviors": [{}]}', ["behaviors[0]: give either of, or both add and on"]),
         (_of_a_gesture(), ["behaviors[0]: it changes nothing"]),
         (_of_a_gesture(on={"word": 1}, lock=True), ["give on with add, and not with of"]),
         ('{"behaviors": [{"add": "head", "on": {"word": 0}}]}', ["what is added needs a lexeme"]),
-        (_of_a_gesture(omit="muted", hand="left"), ["what is omitted has nothing else"]),
+        (_of_a_gesture(omit="muted", hand="left"), ["an edit with omit takes no other fields"]),
         (_of_a_gesture(direction="UP"), ["direction is for gaze, this is gesture"]),
         (
             '{"behaviors": [{"add": "posture", "on": {"word": 0}, "lexeme": "TURN", "hand": "left", "amount": 1}]}',

@@ -98,7 +98,7 @@ class KeyRing:
         try:
             self._keys = ApiKeys.of(self._settings)
         except InputError as error:
-            _LOGGER.error("%s; the keys that were there before stay in use", error.message)
+            _LOGGER.error("%s; the previous keys stay in use", error.message)
         else:
             _LOGGER.info("API keys read again; there are %d", len(self._keys.keys))
 
@@ -153,7 +153,7 @@ def _key(number: int, line: str) -> ApiKey:
         [when] = [each.removeprefix(_EXPIRES) for each in further if each.startswith(_EXPIRES)]
         found = datetime.fromisoformat(when)
     except ValueError:
-        message = f"API key {number}: after a key stands nothing, or {_EXPIRES} and a date such as 2030-01-31"
+        message = f"API key {number}: a key may only be followed by {_EXPIRES} and a date, such as 2030-01-31"
         raise InputError("setting_wrong", f"{PREFIX}API_KEYS: {message}") from None
     return ApiKey(digest, (found if found.tzinfo else found.replace(tzinfo=UTC)).timestamp())
 

@@ -86,7 +86,7 @@ def _let_others_work(turns: int) -> None:
 def too_long(limit_s: float) -> TooLargeError:
     """The error of a message that takes too much processor time."""
     return TooLargeError(
-        "work_too_large", f"this takes more than the {limit_s:g} s of a processor that a message may use"
+        "work_too_large", f"this takes more than the {limit_s:g} s of processor time that a message may use"
     )
 
 

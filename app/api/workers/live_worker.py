@@ -101,7 +101,7 @@ class Conversation:
     def _started(self, message: StartMessage) -> str:
         """Raises InputError `live_started`, `value_wrong`, `unknown_character`, `motion_model`."""
         if self._session is not None:
-            raise InputError("live_started", "this stream has begun already; open another for another start")
+            raise InputError("live_started", "this stream has already started; open another")
         limits = audio_limits(self._settings)
         lowest, highest = limits.min_sample_rate_hz, limits.max_sample_rate_hz
         if not lowest <= message.sample_rate_hz <= highest:
@@ -215,7 +215,7 @@ def _answer(
         conversation.ended = True
         others.append(to_error(too_large(settings.worker_memory_bytes)))
     except Exception:
-        _LOGGER.exception("a mistake of ours in a live stream")
+        _LOGGER.exception("internal error in a live stream")
         conversation.ended = True
         others.append(to_error(ServiceError("internal_error", "see the log")))
     if frames:

@@ -47,5 +47,5 @@ def _answer(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer | 
     except MemoryError:
         return JobFailure(too_large(understudy.acoustic.settings.worker_memory_bytes)), b""
     except Exception:
-        _LOGGER.exception("a mistake of ours at a request to %s", job.task)
+        _LOGGER.exception("internal error in a request to %s", job.task)
         return JobFailure(ServiceError("internal_error", "see the log")), b""

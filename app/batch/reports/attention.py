@@ -72,8 +72,8 @@ PLAIN: Mapping[str, tuple[str, str]] = MappingProxyType(
     {
         "failed": ("not performed", "fix what the message says and run the same command again"),
         "waiting": ("not performed yet", "run the same command again"),
-        "transcript_suspect": ("other words may be said", _SAID),
-        "alignment_low_confidence": ("where the words are is a guess", _SAID),
+        "transcript_suspect": ("the recording may say other words", _SAID),
+        "alignment_low_confidence": ("word times are guessed", _SAID),
         "word_unreadable": ("a word cannot be read", "write it in Latin letters, as it is spoken"),
         "pronunciation_guessed": (
             "a pronunciation is a guess",
@@ -102,11 +102,11 @@ PLAIN: Mapping[str, tuple[str, str]] = MappingProxyType(
         "direction_unplayed": ("there is no room for what a note asks for", _NOTES),
         "gesture_unknown": ("no gesture has this name", "take the nearest name that the message gives"),
         "gesture_not_played": ("a gesture gave way", "move one of the two, as the message says"),
-        "tags_unread": ("tags of the text say nothing here", "nothing, if the words are right"),
+        "tags_unread": ("tags of the text are not understood", "nothing, if the words are right"),
         "smartbody_text": ("signs that SmartBody cannot read are left out", "nothing"),
-        "smartbody_gaze": ("looks at nobody are left out for SmartBody", "name listeners or targets"),
+        "smartbody_gaze": ("gazes without a target are left out for SmartBody", "name listeners or targets"),
         "smartbody_unnamed": ("SmartBody cannot find the recording", "name it"),
-        "pose_out_of_reach": ("a hand cannot reach that far", "look whether the gesture reads"),
+        "pose_out_of_reach": ("a hand cannot reach that far", "check that the gesture is still clear"),
     }
 )
 """Of each code what it means, and what to do."""

@@ -67,7 +67,7 @@ def _summary(entries: Sequence[ManifestEntry]) -> str:
     looks = sum(attention(entry) > 0 for entry in entries)
     return (
         f"{states[State.DONE]} lines performed, {hours:.2f} hours of speech; {states[State.FAILED]} failed; "
-        f"{looks} want a look, and stand first."
+        f"{looks} need attention and are listed first."
     )
 
 

@@ -53,7 +53,7 @@ def read_script(path: Path, named: Mapping[str, str], sheets: Sequence[str] = ()
     content = _content(path)
     script = read_workbook(content, path, named, chosen=sheets) if sheets else reader(content, path, named)
     if not script.lines and not script.problems:
-        raise InputError("script_empty", f"{path}: no line in it", field="script")
+        raise InputError("script_empty", f"{path}: it has no lines", field="script")
     unit = _UNITS.get(path.suffix.lower(), "row")
     return replace(script, unit=unit, problems=tuple(replace(each, unit=unit) for each in script.problems))
 

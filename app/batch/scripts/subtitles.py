@@ -75,7 +75,7 @@ def _script(path: Path, cues: Iterable[Cue], remark: str) -> Script:
         else:
             lines.append(line)
     kept, doubles = without_doubles(lines, "")
-    remarks = [remark, f"{silent} cues without words are passed over" if silent else ""]
+    remarks = [remark, f"{silent} cues without words are skipped" if silent else ""]
     return Script(path, kept, (*problems, *doubles), tuple(each for each in remarks if each))
 
 

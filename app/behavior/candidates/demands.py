@@ -43,7 +43,7 @@ def banned_by(demands: Iterable[Demand], families: Families, behaviors: Mapping[
     """What the demands forbid."""
     for demand in demands:
         if not demand.always:
-            yield Ban(demand.first, demand.last, meant(demand.what, families, behaviors), f"never, by {demand.by}")
+            yield Ban(demand.first, demand.last, meant(demand.what, families, behaviors), f"excluded by {demand.by}")
 
 
 def wherever_offered(names: Iterable[str], supports: Iterable[Support], by: str) -> Iterator[Demand]:
@@ -137,7 +137,7 @@ def _moment(player: Player, demand: Demand) -> Moment:
         stroke=demand.last,
         families=shown,
         importance=1.0,
-        terms=(Term(f"{ALWAYS}, by {demand.by}", DEMANDED_LOG_ODDS),),
+        terms=(Term(f"required by {demand.by}", DEMANDED_LOG_ODDS),),
         demanded=True,
     )
 

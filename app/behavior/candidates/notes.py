@@ -133,7 +133,7 @@ def _moment(note: _Note, direction: Direction, planned: Iterable[Moment], ranked
     own = note.moment
     kinds = tuple(kind for kind in note.kinds if kind not in _AT_REST)
     wanted = tuple(kind for kind in kinds if not _wrong(direction, note.channel, own, kind))
-    reason = f"the director's note {note.number} stands in its place"
+    reason = f"replaced by the director's note {note.number}"
     return Moment(
         id=f"note{note.number}.{note.channel}",
         channel=note.channel,

@@ -117,7 +117,7 @@ def _asking(player: Player, utterance: Utterance, moment: Moment) -> Iterator[tu
 
 
 def _by_lemma(asking: Mapping[str, bool], name: str) -> tuple[Term, ...]:
-    return (Term("a word that asks for it", ASKED_BY_LEMMA),) if asking.get(name) else ()
+    return (Term("triggered by one of its words", ASKED_BY_LEMMA),) if asking.get(name) else ()
 
 
 def _weighed(moment: Moment, plan: Plan) -> LineWorths | None:

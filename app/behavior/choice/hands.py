@@ -120,7 +120,7 @@ def _by_other_hands(
 
 
 def _made_by(gesture: PlacedBehavior, hand: Hand) -> PlacedBehavior:
-    reason = f"with the {hand} hand, for there is no time for the usual one"
+    reason = f"with the {hand} hand, because there is no time for the usual one"
     return replace(gesture, behavior=replace(gesture.behavior, hand=hand, reason=reason))
 
 

@@ -26,7 +26,7 @@ NEAR = log(4)
 
 _PLANNED = frozenset({Channel.GESTURE, Channel.HEAD, Channel.FACE})
 _OFFERED = ".offered"
-_UNWEIGHED = "of no kind that is weighed (lexicon/acting/families.yaml)"
+_UNWEIGHED = "of no family that is scored (lexicon/acting/families.yaml)"
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,11 +177,11 @@ def _told(candidate: _Candidate, shown: _Shown, near: float) -> Behavior | None:
         return None
     if winner is None:
         below = weighed.worth - weighed.enough
-        why = f"worth too little to be made there ({below:+.1f} in log-odds)" if below > -inf else _UNWEIGHED
+        why = f"scores too low there ({below:+.1f} log-odds)" if below > -inf else _UNWEIGHED
         return replace(behavior, limit=PRICE, reason=why + _also(candidate))
     beside = weighed.worth - weighed.enough
-    worth = f"is worth {beside:+.1f} in log-odds beside it" if beside > -inf else f"is {_UNWEIGHED}"
-    why = f"{winner.lexeme} has its place; this {worth}"
+    worth = f"scores {beside:+.1f} log-odds" if beside > -inf else f"is {_UNWEIGHED}"
+    why = f"{winner.lexeme} takes its place; this {worth}"
     return replace(behavior, lost_to=winner.id, reason=why + _also(candidate))
 
 

@@ -101,7 +101,7 @@ def in_mode(
     gestures = [each for each in kept if each.behavior.kind is Channel.GESTURE]
     others = TimeIndex(each for each in kept if each.behavior.kind is not Channel.GESTURE)
     lost = tuple(behavior for behavior in lost if behavior.kind is not Channel.GESTURE)
-    replaced = (replace(each.behavior, kept=False, reason=f"not in the mode {mode}") for each in gestures)
+    replaced = (replace(each.behavior, kept=False, reason=f"not used in mode {mode}") for each in gestures)
     if mode is Mode.PROSODY:
         return tuple(_beaten_in(others, line)), (*lost, *replaced)
     text = " ".join(word.text for word in line.timed)

@@ -57,7 +57,7 @@ def _importance(behavior: Behavior) -> tuple[bool, bool, float, int, float, str]
 
 
 def _left_out(behavior: Behavior, stillness: float) -> Behavior:
-    return replace(behavior, kept=False, reason=f"left out: {stillness:g} of all movements are, for stillness")
+    return replace(behavior, kept=False, reason=f"left out by stillness, which drops {stillness:.0%} of movements")
 
 
 def _smaller(behavior: Behavior, stillness: float) -> Behavior:

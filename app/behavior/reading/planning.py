@@ -320,7 +320,7 @@ def _in_place(moment: Moment, placed: Mapping[int, PlacedStroke]) -> Moment:
         families=families,
         shares=shares,
         set_against=stroke.other,
-        terms=(Term(f"set against word {stroke.other}", round(told, 2)),),
+        terms=(Term(f"contrasted with word {stroke.other}", round(told, 2)),),
     )
 
 
@@ -332,7 +332,7 @@ def _rejected(
     families = worths.choice.families
     for place in order[1 : 1 + REJECTED_TOLD]:
         worth = round(float(worths.family[stroke, place]), 3)
-        yield RejectedAlternative((families[place],), worth, f"{families[order[0]]} is worth more on the same word")
+        yield RejectedAlternative((families[place],), worth, f"{families[order[0]]} scores higher on the same word")
     beside = [word for word in range(first, last + 1) if word != stroke]
     if beside:
         word = max(beside, key=lambda each: float(ground.gain[each]))

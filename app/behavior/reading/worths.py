@@ -52,7 +52,7 @@ MOST_WORTH = 0.98
 FAINT = 0.05
 """Parts that are smaller are not told."""
 
-CHANCE, FOCUS, OTHER_READINGS = "chance", "focus of the voice", "what else it may be read as"
+CHANCE, FOCUS, OTHER_READINGS = "chance", "focus of the voice", "other readings of the gesture"
 JUST_BEFORE = "shown just before"
 
 
@@ -77,7 +77,7 @@ class LineWorths:
     mimes: Mapping[tuple[int, str], Mime] = field(default_factory=dict)
 
     def of(self, word: int, lexeme: str) -> float | None:
-        """The log-odds of a lexeme with its stroke on a word; None for one that nobody has said how it is read."""
+        """The log-odds of a lexeme with its stroke on a word; None for one without an entry in `shows`."""
         column = self.lexemes.get(lexeme)
         return None if column is None else float(self.log_odds[word, column])
 
@@ -230,7 +230,7 @@ class KindWorths:
             Term("chance", round(float(self.chance[0, place]), 2)),
         ]
         if support is not None:
-            parts.append(Term(f"rule {support.rule}, more than usual", round(surplus(support), 2)))
+            parts.append(Term(f"rule {support.rule}, above average", round(surplus(support), 2)))
         heavy = (part for part in parts[1:] if abs(part.weight) >= FAINT)
         return tuple(sorted((parts[0], *heavy), key=lambda part: (-abs(part.weight), part.name)))
 

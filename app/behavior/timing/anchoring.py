@@ -156,17 +156,17 @@ def _in_time(placing: Placing, channel: Channel) -> tuple[Placing, SyncPoints, s
     if channel is Channel.GESTURE:
         placing, why = (
             underway(placing),
-            "the hand is raised as the performance begins, for there is no time to raise it",
+            "begins with the hand raised: there is no time to raise it",
         )
     else:
-        placing, why = soonest(placing), "a little late, for there is no time before its word"
+        placing, why = soonest(placing), "a little late: there is no time before its word"
     sync = placed(placing, Window())
     assert sync is not None, "what begins at 0 has room"
     return placing, sync, why
 
 
 def _late(late_s: float) -> str:
-    return f"its stroke would come {late_s:.2f} s after its word, for there is no time before; a lead-in would give it"
+    return f"its stroke would come {late_s:.2f} s after its word: there is too little time before it; add a lead-in"
 
 
 def _unasked(entry: BehaviorEntry, word: int) -> Movement:

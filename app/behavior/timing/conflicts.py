@@ -43,7 +43,7 @@ class FittedBehavior:
 EARLY_S = 0.1
 """How much earlier than its word a gesture may be made to fit: a syllable."""
 
-BRIEFLY = "smaller and shorter than usual, for want of time"
+BRIEFLY = "smaller and shorter than usual: there is too little time"
 
 REACH_S = 5.0
 """Behaviours farther apart than this cannot affect each other: no transition takes half as long."""
@@ -197,7 +197,7 @@ def _overlap(one: PlacedBehavior, other: PlacedBehavior) -> bool:
 
 
 def _with_the_eyes_alone(look: PlacedBehavior, head: Behavior) -> PlacedBehavior:
-    reason = f"with the eyes alone: the head has its {head.lexeme}"
+    reason = f"with the eyes alone: the head makes a {head.lexeme}"
     return replace(look, behavior=replace(look.behavior, lexeme=GLANCE, reason=reason))
 
 
@@ -252,7 +252,7 @@ def _made_brief(gesture: PlacedBehavior) -> PlacedBehavior:
 
 
 def _shortened_beside(neighbour: Behavior) -> str:
-    return f"shortened beside {neighbour.lexeme}"
+    return f"shortened to make room for {neighbour.lexeme}"
 
 
 def _neighbour(

@@ -36,10 +36,10 @@ class ValueKind(StrEnum):
     NUMBER = "a fixed decimal"
     SHARE = "a fixed decimal from 0 to 1"
     COUNT = "a whole number"
-    WHOLE = "a whole number, with - before it if need be"
-    PHONES = "phones: of each its label, start and end"
+    WHOLE = "a whole number, which may be negative"
+    PHONES = "phones: the label, start and end of each"
     DURATIONS = "durations: fixed decimals"
-    TIME = "a time: fixed decimal seconds, or behaviour:point, with + or - seconds after it if need be"
+    TIME = "a time: fixed decimal seconds, or behaviour:point with an optional + or - seconds"
 
 
 @dataclass(frozen=True, slots=True)

@@ -92,14 +92,14 @@ def _in_element(element: Element, kind: ElementKind, dialect: Dialect) -> Found:
     if not kind.mixed and not kind.free:
         yield from _stray_text(element)
     if kind.needs and kind.needs not in {local_name(part.name) for part in element.children}:
-        yield place, f"{_shown(element)}: no <{kind.needs}> in it"
+        yield place, f"{_shown(element)}: no <{kind.needs}> inside"
     for part in element.children:
         inside = kind_of(part, kind)
         if inside:
             yield from _in_element(part, inside, dialect)
         elif not kind.free and not is_foreign(part.name, dialect):
             name = local_name(part.name)
-            unknown = f"<{_short(name)}> may not stand in <{kind.name}>"
+            unknown = f"<{_short(name)}> is not allowed in <{kind.name}>"
             yield part.place or _NOWHERE, f"{unknown}{_hint(name, kind.parts)}"
 
 
@@ -110,7 +110,7 @@ def _stray_text(element: Element) -> Found:
         if isinstance(part, Element):
             before = part
         elif part.strip():
-            message = f"after {_shown(before)} stands the text {_short(part.strip())!r}; there may be none"
+            message = f"text {_short(part.strip())!r} after {_shown(before)}; no text is allowed here"
             yield before.place or _NOWHERE, message
 
 
@@ -125,7 +125,7 @@ def _in_attributes(element: Element, kind: ElementKind, dialect: Dialect) -> Ite
             except ValueError as error:
                 yield f"{name}={_short(str(text))!r} {error}"
         elif not is_foreign(name, dialect):
-            yield f"no attribute is called {_short(local_name(name))}{_hint(local_name(name), kind.attributes)}"
+            yield f"unknown attribute {_short(local_name(name))}{_hint(local_name(name), kind.attributes)}"
 
 
 def _hint(name: str, known: Mapping[str, object]) -> str:
@@ -168,7 +168,7 @@ def _doubles(elements: list[Element]) -> Found:
         name = element.attributes.get("id")
         if name is not None and first.setdefault(name, element) is not element:
             line = (first[name].place or _NOWHERE).line
-            yield element.place or _NOWHERE, f"{_shown(element)}: that id is taken, in line {line}"
+            yield element.place or _NOWHERE, f"{_shown(element)}: duplicate id, first used in line {line}"
 
 
 def _references(block: Element, kind: ElementKind, behaviors: list[_Behavior]) -> Found:
@@ -230,7 +230,7 @@ def _gazes(behaviors: list[_Behavior]) -> Found:
         longest = None
         for start_s, end_s, _, element in sorted(gazes):
             if longest and start_s < longest[0]:
-                message = f"it wants the same eyes at the same time as {_shown(longest[1])}; end one before the other"
+                message = f"it overlaps on the same joints with {_shown(longest[1])}; end one before the other"
                 yield element.place or _NOWHERE, f"{_shown(element)}: {message}"
             longest = max(longest or (end_s, element), (end_s, element), key=itemgetter(0))
 

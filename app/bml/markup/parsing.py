@@ -98,7 +98,7 @@ class _ElementBuilder:
 
     def _start(self, name: str, attributes: dict[str, str]) -> None:
         if len(self._open) > self._max_depth:
-            raise NotXmlError(f"more than {self._max_depth} elements inside one another", self._place())
+            raise NotXmlError(f"elements nested more than {self._max_depth} deep", self._place())
         named = {_qualified(each): value for each, value in attributes.items()}
         self._open.append(_OpenElement(_qualified(name), named, [], self._place()))
 
@@ -141,7 +141,7 @@ def _prefix_at(text: str, place: TagPosition) -> str | None:
 
 def _with_remedy(error: NotXmlError, text: str) -> NotXmlError:
     prefix = _prefix_at(text, error.place) or "PREFIX"
-    remedy = f'declare it in the outermost element: xmlns:{prefix}="{_NAMESPACES.get(prefix, "its namespace")}"'
+    remedy = f'declare it in the root element: xmlns:{prefix}="{_NAMESPACES.get(prefix, "its namespace")}"'
     return NotXmlError(f"{error.message}; {remedy}", error.place)
 
 
@@ -154,7 +154,7 @@ def _with_bound_prefix(text: str, limits: ReadingLimits) -> Element:
     file = _ElementBuilder(limits.max_depth + 1, lines_before=1).build(around)
     roots = list(file.children)
     if len(roots) != 1:
-        raise NotXmlError("not well-formed XML: one outermost element", file.place or TagPosition(1, 1))
+        raise NotXmlError("not well-formed XML: there must be one root element", file.place or TagPosition(1, 1))
     return roots[0]
 
 

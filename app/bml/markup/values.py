@@ -47,7 +47,7 @@ def value_of(text: str, attribute: Attribute) -> Value:
         and text not in attribute.one_of
         and not (attribute.beyond and attribute.beyond.fullmatch(text))
     ):
-        raise ValueError(f"is none of {', '.join(sorted(attribute.one_of))}")
+        raise ValueError(f"is not one of {', '.join(sorted(attribute.one_of))}")
     try:
         return _value(text, attribute.kind)
     except ValueError:

@@ -39,8 +39,8 @@ def in_core_bml(root: Element) -> tuple[Element, tuple[Notice, ...]]:
     early_s = _earliest_s(parts)
     parts = [_later(part, -early_s) for part in parts] if early_s < 0 else parts
     block = replace(found, name=_BLOCK.qualified, attributes=_of_block(found), content=tuple(_with_own_ids(parts)))
-    late = f"; all of it {-early_s:.3f} s later, since it begins before 0" if early_s < 0 else ""
-    unread = "".join(f"; the <{local_name(each.name)}> beside it is not read" for each in _beside(found, root))
+    late = f", shifted by {-early_s:.3f} s, since it begins before 0" if early_s < 0 else ""
+    unread = "".join(f"; the <{local_name(each.name)}> beside it is ignored" for each in _beside(found, root))
     return block, (Notice("bml_translated", f"Greta's BML is read as BML 1.0{late}{unread}"),)
 
 

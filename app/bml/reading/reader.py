@@ -50,7 +50,7 @@ class _Move:
     def notice(self) -> Notice:
         which = "later" if self.later_s > 0 else "earlier"
         message = f"{self.behavior}: its {self.point} is {abs(self.later_s):.3f} s {which} than scheduled"
-        return Notice("bml_point_moved", f"{message}; what depends on it follows")
+        return Notice("bml_point_moved", f"{message}; dependent behaviours move with it")
 
 
 def with_following_points(root: Element, kind: ElementKind) -> tuple[Element, tuple[Notice, ...]]:
@@ -154,7 +154,7 @@ def read_bml(
     root, translated = in_core_bml(parsed.root)
     found = _dialect_of(root)
     if found is None:
-        message = f"the outermost element is <{root.name[:100]}>; write <bml> of BML 1.0, or SmartBody's <act>"
+        message = f"the root element is <{root.name[:100]}>; write <bml> of BML 1.0, or SmartBody's <act>"
         raise _wrong_bml(content, path, [(root.place or TagPosition(1, 1), message)])
     dialect, kind = found
     root, moves = with_following_points(root, kind)
@@ -177,7 +177,7 @@ def _parsed(content: bytes, path: Path, limits: ReadingLimits) -> ParsedDocument
 
 def _bound(parsed: ParsedDocument) -> Iterator[Notice]:
     if parsed.is_bound:
-        message = f'sbm: is not declared; it is taken as SmartBody\'s: write xmlns:sbm="{SBM}" in the outermost element'
+        message = f'sbm: is not declared; it is taken as SmartBody\'s: write xmlns:sbm="{SBM}" in the root element'
         yield Notice("bml_namespace", message)
 
 
@@ -223,7 +223,7 @@ def _foreign(root: Element, kind: ElementKind, dialect: Dialect) -> tuple[Notice
     return tuple(
         Notice(
             "bml_foreign",
-            f"{name} (line {lines[name]}, {count} in all) is not of {dialect.title}; it is kept unchanged",
+            f"{name} (line {lines[name]}, {count} in all) is not part of {dialect.title}; it is kept unchanged",
         )
         for name, count in counts.most_common(MOST_MISTAKES)
     )

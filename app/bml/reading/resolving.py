@@ -38,7 +38,7 @@ _NAMES: Mapping[str, str] = {"strokeStart": "stroke_start", "strokeEnd": "stroke
 _STYLES: Mapping[str, Level] = {"low": Level.LOW, "mid": Level.MEDIUM, "medium": Level.MEDIUM, "high": Level.HIGH}
 _STYLE = f"{{{SBM}}}style"
 _STROKED = frozenset({Channel.GESTURE, Channel.HEAD})
-_UNPLAYED = ("a body alone has no way to play it", "one recording has one speech, the first")
+_UNPLAYED = ("a body alone cannot play it", "a recording has one speech; the first is played")
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +86,7 @@ def resolve(document: Document, words: tuple[Word, ...] = ()) -> ResolvedDocumen
     start_s = points[spoken.id]["start"] if spoken and spoken.id in points else 0.0
     notices = (
         *_guessed([*tied_points(document), *(time for each in stated for time in each.times.values())], speech, words),
-        *(Notice("bml_untimed", f"{name}: its times refer to what has none; it is not played") for name in lost),
+        *(Notice("bml_untimed", f"{name}: refers to a behaviour without times; it is not played") for name in lost),
         *_not_played(document, elements, behaviors, lost),
         *_passed_over(elements, behaviors),
         *violated_constraints(document, points, known),
@@ -280,7 +280,7 @@ def _guessed(times: Iterable[Time], speech: Speech | None, words: tuple[Word, ..
         return
     refs = {ref.point for ref in times if _is_of(ref, speech.id)}
     if refs - {"start"}:
-        each = f"{GUESSED_WORD_S} s is taken for each" if speech.end is None else "they share its time evenly"
+        each = f"each lasts {GUESSED_WORD_S} s" if speech.end is None else "they share its time evenly"
         yield Notice("speech_untimed", f"there is no recording to time the words by: {each}; send the audio")
 
 
@@ -313,11 +313,13 @@ def _not_played(
 
 
 def _unplayed_parts(name: str, element: Element | None) -> Iterator[str]:
-    """What of a posture is not played: bodies stand, and take one pose at a time."""
+    """What of a posture is not played: bodies always stand, and take one pose at a time."""
     parts = () if element is None or not element.name.startswith("posture") else tuple(element.children)
     stances = (part.attributes.get("type") for part in parts if part.name == "stance")
-    yield from (f"the stance {told} of {name} is not played: bodies stand" for told in stances if told != "STANDING")
+    yield from (
+        f"the stance {told} of {name} is not played: bodies always stand" for told in stances if told != "STANDING"
+    )
     poses = [part for part in parts if part.name == "pose"]
     for pose in poses[1:]:
         told = f"the pose {pose.attributes.get('lexeme')} of {name} is not played"
-        yield f"{told}: a body takes one at a time, here {poses[0].attributes.get('lexeme')}"
+        yield f"{told}: a body takes one pose at a time, here {poses[0].attributes.get('lexeme')}"

@@ -110,7 +110,7 @@ def _in_turn(repertoire: Repertoire, wanted: Sequence[_Made]) -> tuple[list[_Mad
             before = f"{made[-1].drawn.lexeme} leaves it no time" if made else "there is no time before its word"
             given_up.append(_given_up(each, before))
         elif any(_overlap(timed, taken) for taken in repertoire.taken):
-            given_up.append(_given_up(each, "the hands do what is asked of them"))
+            given_up.append(_given_up(each, "the hands already make another gesture"))
         else:
             made.append(replace(each, timed=timed))
     return made, given_up
@@ -200,7 +200,7 @@ def _moved(moved_s: float) -> str | None:
     if abs(moved_s) < LEAST_MOVED_S:
         return None
     return f"{abs(moved_s):.2f} s " + (
-        "later, for want of time before it" if moved_s > 0 else "earlier, for want of time after it"
+        "later: too little time before it" if moved_s > 0 else "earlier: too little time after it"
     )
 
 

@@ -88,10 +88,10 @@ def doubts(profile: Profile, annotations: Sequence[Annotation], postures: Collec
         yield Notice("annotation_postures_unknown", message)
     if profile.gestures < FEW_GESTURES:
         message = (
-            f"{profile.gestures} gestures in {profile.annotated_s / 60:.1f} minutes of speech are few to know a speaker"
-            " by: what is rare is guessed from what is common; annotate about nine minutes"
+            f"{profile.gestures} gestures in {profile.annotated_s / 60:.1f} minutes of speech are too few to know a "
+            "speaker well: rare habits are guessed from common ones; annotate about nine minutes"
         )
         yield Notice("annotation_short", message)
     if profile.smoothing.held_out <= profile.smoothing.blind:
-        message = "what is said tells nothing of which gesture comes: those that were held out came with any tag alike"
+        message = "the tags do not predict the gestures: held-out gestures were as likely with any tag"
         yield Notice("profile_tags_tell_nothing", message)

@@ -78,7 +78,7 @@ class _Lattice:
 
 @lru_cache(maxsize=64)
 def _lattice(kinds: tuple[Noise, ...]) -> _Lattice:
-    """Cached, since most lines have the same seed; few, since a live stream has ever new ones. Never mutated."""
+    """Cached, since most lines have the same seed; few, since every live stream has its own. Never mutated."""
     frequency_hz = np.concatenate([np.full(kind.channels, kind.frequency_hz) for kind in kinds])
     shift = np.concatenate([np.arange(kind.channels) * _GOLDEN % 1.0 * (not kind.in_step) for kind in kinds])
     hashed = np.concatenate([_of_channels(kind.seed, kind.channels) for kind in kinds])

@@ -58,7 +58,7 @@ def repeated_statements(statements: Iterable[Statement]) -> Iterator[LocatedMist
         key = ("OTHER" if statement.other else "", keyword.text, *part)
         if statement.readable and key in seen:
             what = " ".join(filter(None, key))
-            yield LocatedMistake(keyword, f"{what} stands here a second time; the first is in line {seen[key].line}")
+            yield LocatedMistake(keyword, f"duplicate {what}; the first is in line {seen[key].line}")
         seen.setdefault(key, keyword)
 
 
@@ -69,7 +69,7 @@ def duplicate_names(files: Sequence[GestureFile]) -> Iterator[Mistake]:
         for name in (word for tree in file.gestures for word in _names(tree)):
             if name.text in first:
                 there, earlier = first[name.text]
-                told = f"a gesture called {name.text} is also at {there.path}:{earlier.line}; a name must be said once"
+                told = f"a gesture called {name.text} is also at {there.path}:{earlier.line}; names must be unique"
                 yield mistake_in(file, LocatedMistake(name, told))
             first.setdefault(name.text, (file, name))
 
@@ -85,7 +85,7 @@ def _time_mistakes(frames: Sequence[TimedFrame]) -> Iterator[LocatedMistake]:
         assert before.time is not None
         assert after.time is not None
         if after.time <= before.time:
-            told = f"the times of frames rise; this one is not after the one before it at {before.time:g}"
+            told = f"frame times must increase; the frame before is at {before.time:g}"
             yield LocatedMistake(after.tree.start.numbers[0], told)
 
 
@@ -94,7 +94,7 @@ def _phase_mistakes(frames: Sequence[TimedFrame]) -> Iterator[LocatedMistake]:
         assert before.type is not None
         assert after.type is not None
         if after.type is before.type and after.type not in REPEATED:
-            yield LocatedMistake(after.type_at, f"a gesture has one {after.type}; the frame before is that already")
+            yield LocatedMistake(after.type_at, f"a gesture has one {after.type}; the frame before is one already")
         elif IN_ORDER.index(after.type) < IN_ORDER.index(before.type):
             yield LocatedMistake(
                 after.type_at, f"{after.type} cannot follow {before.type}; the order is {', '.join(IN_ORDER)}"
@@ -106,7 +106,7 @@ def _stroke_mistakes(tree: GestureTree, frames: Sequence[TimedFrame]) -> Iterato
     types = [frame.type for frame in frames]
     ends = [position for position, type_ in enumerate(types) if type_ in {FrameType.STROKE, FrameType.STROKE_END}]
     if not frames:
-        yield LocatedMistake(tree.start, "this gesture has no frames; it needs a stroke at least")
+        yield LocatedMistake(tree.start, "this gesture has no frames; it needs at least a stroke")
     elif not ends:
         told = "this gesture has no stroke: a frame of type stroke_start and one of stroke_end, or stroke"
         yield LocatedMistake(tree.start, told)

@@ -141,7 +141,7 @@ def _categories(words: Sequence[StatementValue], wrong: list[LocatedMistake]) ->
 def _repeated(words: Sequence[StatementValue]) -> Iterator[LocatedMistake]:
     for position, word in enumerate(words):
         if word.text in {before.text for before in words[:position]}:
-            yield LocatedMistake(word, f"{word.text} stands here a second time")
+            yield LocatedMistake(word, f"duplicate {word.text}")
 
 
 def _levels(header: Iterable[Statement], wrong: list[LocatedMistake]) -> Mapping[Level, Expressivity]:

@@ -192,7 +192,7 @@ def _directions(prefix: str, word: StatementValue, wrong: list[LocatedMistake]) 
         return None
     clash = next((f"{a} and {b}" for a, b in product(found, found) if _dot(a, b) < 0), None)
     if clash or len(set(found)) < len(found):
-        told = f"{clash} are opposite" if clash else "a direction stands there twice"
+        told = f"{clash} are opposite" if clash else "a direction is repeated"
         wrong.append(LocatedMistake(word, f"{told}; a sum takes each of up/down, inwards/outwards, away/towards once"))
         return None
     return frozenset(found)

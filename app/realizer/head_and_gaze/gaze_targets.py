@@ -188,5 +188,5 @@ def with_target(placed: PlacedGesture, targets_m: Mapping[str, Position]) -> Pla
 def unknown_target(placed: PlacedGesture) -> Iterator[Decision]:
     """A decision for a pointing gesture whose target has no known position."""
     if placed.clip.aimed and placed.request.target and placed.aim_m is None:
-        where = f"where {placed.request.target!r} is nobody has said"
+        where = f"{placed.request.target!r} has no position"
         yield Decision(placed.request.behavior, "replaced", f"{where}: it points as {placed.clip.name} is defined")

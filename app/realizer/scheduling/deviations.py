@@ -49,7 +49,7 @@ def _head(behavior: Behavior) -> Trouble:
     if behavior.lexeme not in MOVEMENTS:
         return "dropped", f"no head movement {behavior.lexeme!r}, only {', '.join(sorted(MOVEMENTS))}"
     if cycle_count(behavior) < (behavior.repetitions or 1):
-        return "shortened", f"there is time for {cycle_count(behavior)} of {behavior.repetitions} repetitions"
+        return "shortened", f"there is only time for {cycle_count(behavior)} of {behavior.repetitions} repetitions"
     return None
 
 
@@ -66,7 +66,7 @@ def _gaze(behavior: Behavior, placed: set[str]) -> Trouble:
     if behavior.direction not in {None, *DIRECTIONS}:
         return "replaced", f"no direction {behavior.direction!r}: it goes straight to its target"
     if behavior.target and behavior.target not in placed:
-        return "replaced", f"nobody has placed {behavior.target!r}: it goes to the other in the talk"
+        return "replaced", f"{behavior.target!r} has no position: the gaze goes to the listener"
     return None
 
 

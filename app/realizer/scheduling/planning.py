@@ -317,7 +317,7 @@ def _told(arm: ArmGesture) -> Iterator[Decision]:
         yield Decision(arm.behavior, "shortened", reason)
     cut_s = gesture.clip.markers.relax - gesture.clip.markers.stroke - (markers.relax - markers.stroke)
     if cut_s > _NOTICEABLE_S:
-        yield Decision(arm.behavior, "shortened", f"hold cut by {cut_s:.2f} s, to relax when it is asked to")
+        yield Decision(arm.behavior, "shortened", f"hold cut by {cut_s:.2f} s, to relax at the requested time")
     if repeated := tuple(told_repeats(arm)):
         yield Decision(arm.behavior, "repeated", "; ".join(repeated))
     if arm.beats:

@@ -69,13 +69,13 @@ def _dropped(first: PlacedGesture, hurdle: Obstacle) -> Decision:
         return Decision(first.request.behavior, "dropped", hurdle.reason)
     rival, own = hurdle.rival.request, first.request.priority
     stays = f"its priority is {rival.priority:g}, not {own:g}" if rival.priority > own else "it comes first"
-    reason = f"{hurdle.reason}. {rival.behavior} stays, for {stays}. {_remedy(first, hurdle.rival, hurdle.missing_s)}"
+    reason = f"{hurdle.reason}. {rival.behavior} is kept: {stays}. {_remedy(first, hurdle.rival, hurdle.missing_s)}"
     return Decision(first.request.behavior, "dropped", reason)
 
 
 def _made_way(rival: PlacedGesture, winner: PlacedGesture, hurdle: Obstacle) -> Decision:
     """The reason is given from the point of view of the gesture that stays."""
-    stays = f"{winner.request.behavior} stays, for its priority is {winner.request.priority:g}"
+    stays = f"{winner.request.behavior} is kept: its priority is {winner.request.priority:g}"
     reason = f"for {winner.request.behavior}: {hurdle.reason}. {stays}, not {rival.request.priority:g}."
     return Decision(rival.request.behavior, "dropped", f"{reason} {_remedy(winner, rival, hurdle.missing_s)}")
 

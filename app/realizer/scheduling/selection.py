@@ -137,7 +137,7 @@ def candidate_clips(request: GestureRequest, library: Clips) -> tuple[tuple[Clip
     clips = tuple(in_the_time(clip, request) for clip in clips_of(request, library))
     decisions = tuple(_substitution(clips[0], request)) if clips else ()
     if not clips:
-        reason = f"the library has no clip for {request.category}, nor a beat that could stand in"
+        reason = f"the library has no clip for {request.category}, nor a beat to replace it"
         return (), (Decision(request.behavior, "dropped", reason),)
     for allowed in (fits, fits_without_hold):
         found = tuple(clip for clip in clips if allowed(clip, request))
@@ -177,11 +177,11 @@ def _changes(clip: Clip, request: GestureRequest) -> Iterator[str]:
     """Differences between the clip and the request, in words."""
     category = clip.category
     if category != request.category:
-        yield f"the library has no {request.category}: {category} stands in"
+        yield f"the library has no {request.category}: {category} replaces it"
     if clip.hand is not request.hand:
-        yield f"{category} is made with {_NAMES[clip.hand]}, not with {_NAMES[request.hand]}"
+        yield f"{category} is made with {_NAMES[clip.hand]} instead of {_NAMES[request.hand]}"
     if clip.level is not request.level:
-        yield f"{category} has no clip at {request.level} agitation: {clip.level} stands in"
+        yield f"{category} has no clip at {request.level} agitation: {clip.level} replaces it"
 
 
 _LEVELS = (Level.MEDIUM, Level.LOW, Level.HIGH)

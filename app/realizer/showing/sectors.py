@@ -55,7 +55,7 @@ def led_decisions(asked: Way | None, placed: PlacedGesture) -> Iterator[str]:
         return
     if placed.aim_m is not None or not _is_placed(placed.clip):
         why = "it points at a target" if placed.aim_m is not None else "its arm is given by joint angles"
-        yield f"not led from and to its sectors: {why}"
+        yield f"its sectors are ignored: {why}"
         return
     for name, sector in (("from", asked.start), ("to", asked.end)):
         if sector is not None:
@@ -86,7 +86,7 @@ def _swivels_missed(asked: Way, placed: PlacedGesture) -> Iterator[str]:
             found_deg = elbow_swivel_deg(Skeleton.standing(), arm, amplitude=amplitude(placed), manner=clip.manner)
             if abs(found_deg - wanted_deg) > _SWIVEL_NEAR_DEG:
                 told = f"{name} {' '.join(sector)}: the {side} elbow is {found_deg:.0f}° out"
-                yield f"{told}, not {wanted_deg:.0f}°, so far as wrist and joints allow"
+                yield f"{told}, not {wanted_deg:.0f}°, as far as wrist and joints allow"
 
 
 def _key_at(clip: Clip, side: Hand, time_s: float) -> ArmKey | None:

@@ -81,7 +81,7 @@ def _refuse_undeclared(program: Program, facts: Iterable[Fact]) -> None:
     arities = {name: len(predicate.parameters) for name, predicate in program.predicates.items()}
     for fact in facts:
         if arities.get(fact.predicate) != len(fact.arguments):
-            raise ValueError(f"given fact {fact}: no predicate is declared so")
+            raise ValueError(f"given fact {fact}: no such predicate is declared")
 
 
 def _close(stratum: Stratum, knowledge: Knowledge) -> None:
@@ -91,7 +91,7 @@ def _close(stratum: Stratum, knowledge: Knowledge) -> None:
     rounds = 1
     while knowledge.end_round() and stratum.later:
         if rounds == knowledge.limits.rounds:
-            raise knowledge.blamed().error(f"facts still follow after {rounds} rounds; does it compute ever new ones?")
+            raise knowledge.blamed().error(f"new facts still follow after {rounds} rounds; is a computation endless?")
         for plan in stratum.due(knowledge.recent):
             plan.run(knowledge)
         rounds += 1

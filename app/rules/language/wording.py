@@ -55,7 +55,7 @@ _CHARACTERS = {
 def syntax_message(error: UnexpectedInput, text: str) -> str:
     """What was expected at `error`; `text` is the block that was parsed."""
     if isinstance(error, UnexpectedCharacters):
-        hint = _CHARACTERS.get(error.char, "no part of the language begins so")
+        hint = _CHARACTERS.get(error.char, "nothing in the language begins with it")
         return f"found `{error.char}`; {hint}"
     if isinstance(error, UnexpectedToken):
         in_rule = not text.lstrip().startswith("predicate")

@@ -69,7 +69,7 @@ def _said_twice(kind: str, blocks: Sequence[_Declaration] | Sequence[_Rule]) -> 
             continue
         other_file, other = first[tree.name]
         for here, one, there, two in ((file, tree, other_file, other), (other_file, other, file, tree)):
-            message = f"{kind} {one.name} is also at {there.path}:{two.place.line}; a name must be said once"
+            message = f"{kind} {one.name} is also at {there.path}:{two.place.line}; names must be unique"
             yield from _located(here, [(one.place, message)])
 
 

@@ -88,7 +88,7 @@ class Assert:
             if new:
                 knowledge.reasons[fact] = Reason(self.origin, tuple([environment[slot] for slot in self.supports]))
                 if len(knowledge.facts) > knowledge.limits.facts:
-                    raise self.origin.error(f"more than {knowledge.limits.facts} facts; does it compute ever new ones?")
+                    raise self.origin.error(f"more than {knowledge.limits.facts} facts; is a computation endless?")
             if head.annotation is None:
                 continue
             if head.late:

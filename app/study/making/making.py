@@ -84,7 +84,7 @@ def make_study(request: StudyRequest, models: Understudy, told: Told) -> int:
     rendered = [line for line in every if line.differs]
     if not rendered:
         advice = ADVICE.get(request.comparison, "take other lines")
-        message = f"{request.source.lines}: nobody could tell the conditions of any line apart; {advice}"
+        message = f"{request.source.lines}: the conditions differ visibly in no line; {advice}"
         raise InputError("study_lines", message, field="lines")
     if request.comparison is Comparison.SPEAKERS and len(rendered) < FEWEST_OF_SPEAKERS:
         message = f"{request.source.lines}: one line with a difference; give another, for the first shows who is who"

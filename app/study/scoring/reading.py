@@ -204,7 +204,7 @@ class _TableReading:
     def _rater(self, row: TableRow) -> None:
         rater, group = row.cells["rater"], row.cells.get("group", "")
         if not rater:
-            self._mistakes.append(row.wrong("rater", "empty; every answer is somebody's"))
+            self._mistakes.append(row.wrong("rater", "empty; every answer needs a rater"))
         elif group and self._groups.setdefault(rater, group) != group:
             self._mistakes.append(row.refused("group", f"rater {rater} is of group {self._groups[rater]} elsewhere"))
 

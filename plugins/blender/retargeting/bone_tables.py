@@ -79,7 +79,7 @@ def _mistakes(written: Mapping[str, Any]) -> Iterator[str]:
             if joint not in known:
                 yield f"{section}.{joint}: the body has no such joint"
             if not all(isinstance(name, str) and name for name in _listed(names)):
-                yield f"{section}.{joint}: a bone's name, or a list of them, must stand here"
+                yield f"{section}.{joint}: expected a bone's name, or a list of them"
     yield from (
         f"also.{bone}: the body has no joint {joint}"
         for bone, joint in written.get("also", {}).items()
@@ -87,7 +87,7 @@ def _mistakes(written: Mapping[str, Any]) -> Iterator[str]:
     )
     for number, each in enumerate(written.get("properties", [])):
         if set(each) != {"bone", "name", "value"} or not isinstance(each["value"], float):
-            yield f"properties[{number}]: bone, name and value (a number with a point) must stand here"
+            yield f"properties[{number}]: expected bone, name and value (a number with a decimal point)"
 
 
 def _sided(written: Mapping[str, Any]) -> Iterator[tuple[str, tuple[str, ...]]]:

@@ -102,7 +102,7 @@ def test_each_line_has_its_recording_and_files_relative_to_the_page() -> None:
 
 def test_what_is_to_be_looked_at_is_said_in_plain_words_with_what_to_do() -> None:
     page = page_of(SUSPECT, FAILED)
-    assert page.xpath("//tr[@class='look']//div[@class='reason']/b/text()") == ["other words may be said"]
+    assert page.xpath("//tr[@class='look']//div[@class='reason']/b/text()") == ["the recording may say other words"]
     assert page.xpath("//tr[@class='look']//div[@class='reason']/span/text()") == [plain_words("transcript_suspect")[1]]
     assert page.xpath("//p[@class='error']/text()") == ["no words"]
     assert "transcript_suspect" not in page.text_content()

@@ -84,6 +84,6 @@ def test_chance_draws_anew_for_lines_of_the_same_length() -> None:
 @pytest.mark.parametrize("mode", [Mode.PROSODY, Mode.RANDOM])
 def test_what_a_mode_replaced_is_told(mode: Mode) -> None:
     behaviors = schedule(candidates(), LINE, DEFAULT, seed=0, mode=mode)
-    replaced = [behavior.lexeme for behavior in behaviors if behavior.reason == f"not in the mode {mode}"]
+    replaced = [behavior.lexeme for behavior in behaviors if behavior.reason == f"not used in mode {mode}"]
     assert replaced == ["ME", "HEIGHT_HIGH"]
     assert len({behavior.id for behavior in behaviors}) == len(behaviors)

@@ -136,7 +136,7 @@ def test_where_there_is_no_time_at_all_the_hand_is_raised_already(start_s: float
     assert gesture.kept
     assert gesture.sync.ready == gesture.sync.start
     assert gesture.sync.stroke_end == pytest.approx(start_s + 0.2 + late_s)
-    assert "raised as the performance begins" in (gesture.reason or "")
+    assert "begins with the hand raised" in (gesture.reason or "")
 
 
 def test_a_movement_of_the_head_comes_a_little_later_instead() -> None:

@@ -95,14 +95,14 @@ def test_the_lower_is_shortened_where_that_suffices() -> None:
     assert outcome["high"] == high.behavior
     assert outcome["low"].kept
     assert outcome["low"].sync.end == high.behavior.sync.start < low.behavior.sync.end
-    assert outcome["low"].reason == "shortened beside X"
+    assert outcome["low"].reason == "shortened to make room for X"
 
 
 def test_the_reason_names_the_neighbour_and_nobody_far_away() -> None:
     near, far = candidate("near", 3.5, 5), candidate("far", 30.0, 5)
     near = replace(near, behavior=replace(near.behavior, lexeme="NEAR"))
     for others in ((near, far), (far, near)):
-        assert resolved(*others, candidate("low", 2.5, 3))["low"].reason == "shortened beside NEAR"
+        assert resolved(*others, candidate("low", 2.5, 3))["low"].reason == "shortened to make room for NEAR"
         assert resolved(*others, candidate("low", 3.4, 3))["low"].lost_to == "near"
 
 

@@ -50,7 +50,7 @@ def test_up_to_its_strokes_end_a_gesture_moves_as_a_whole(point: str, at_s: floa
     assert found["face1"] == PEAK
     (told,) = notices
     assert told.code == "bml_point_moved"
-    assert told.message == f"gesture1: its {point} is 0.400 s later than scheduled; what depends on it follows"
+    assert told.message == f"gesture1: its {point} is 0.400 s later than scheduled; dependent behaviours move with it"
 
 
 def test_a_later_relax_time_takes_the_end_along_and_the_end_nothing() -> None:

@@ -75,7 +75,7 @@ def test_gretas_first_namespace_is_read() -> None:
 def test_gretas_bml_beside_its_fml_is_read_without_a_namespace() -> None:
     found = realized("greta_fml_apml")
     (told,) = (notice.message for notice in found.motion.notices if notice.code == "bml_translated")
-    assert told == "Greta's BML is read as BML 1.0; the <fml> beside it is not read"
+    assert told == "Greta's BML is read as BML 1.0; the <fml> beside it is ignored"
     head, gaze = behaviors(found)["head1"], behaviors(found)["gaze1"]
     assert (head.lexeme, head.sync.start, head.sync.end) == ("TILT_LEFT", 0.35, 2.5)
     assert (gaze.target, gaze.direction, gaze.sync.start) == ("listener", "DOWN", 1.0)
@@ -85,8 +85,8 @@ def test_names_of_asaps_and_places_are_played_and_what_stands_in_is_told() -> No
     found = realized("asap_lexemes")
     assert behaviors(found)["h1"].lexeme == "TILT_LEFT"
     told = {each.behavior: each.reason for each in found.motion.decisions if each.action == "replaced"}
-    assert told["g1"].endswith("CONDUIT: OPEN_HAND stands in")
-    assert told["g2"].endswith("greta_deictic_self: ME stands in")
+    assert told["g1"].endswith("CONDUIT: OPEN_HAND replaces it")
+    assert told["g2"].endswith("greta_deictic_self: ME replaces it")
     assert {target.position_m for target in found.schedule.targets} == {(1.0, 1.0, 1.0)}
     assert not [each for each in found.motion.decisions if each.behavior == "g3"]
     assert codes(found) == set()

@@ -76,7 +76,7 @@ def test_gretas_first_namespace_is_read() -> None:
     document, notices = read(GRETA)
     assert document.dialect is DialectName.BML
     assert notices[0].code == "bml_translated"
-    assert "0.600 s later" in notices[0].message
+    assert "shifted by 0.600 s" in notices[0].message
     assert {notice.code for notice in notices[1:]} == {"bml_foreign"}
     found = resolve(document)
     assert (found.character, found.speech_start_s) == ("Greta", 0.6)

@@ -133,8 +133,8 @@ def test_stances_and_further_poses_that_are_not_played_are_said() -> None:
     found = resolved(f'<posture id="p" start="0" end="5"><stance type="SITTING"/>{poses}</posture>')
     assert [each.lexeme for each in found.behaviors] == ["ARMS_OPEN"]
     assert [each.message for each in found.notices] == [
-        "the stance SITTING of p is not played: bodies stand",
-        "the pose LEGS_OPEN of p is not played: a body takes one at a time, here ARMS_OPEN",
+        "the stance SITTING of p is not played: bodies always stand",
+        "the pose LEGS_OPEN of p is not played: a body takes one pose at a time, here ARMS_OPEN",
     ]
     stands = resolved('<posture id="p" start="0" end="5"><stance type="STANDING"/></posture>')
     assert [each.code for each in stands.notices] == ["bml_not_played"], "nothing to show"

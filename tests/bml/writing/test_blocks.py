@@ -75,9 +75,9 @@ def test_it_is_read_and_written_byte_for_byte() -> None:
     ("old", "new", "message"),
     [
         (b'priority="5.125"', b'priority="high"', "priority='high' is not a fixed decimal"),
-        (b'agitation="high"', b'agitation="huge"', "agitation='huge' is none of high, low, medium"),
-        (b' moment="m1"', b' momento="m1"', "no attribute is called momento; did you mean moment?"),
-        (b'phones="T 1.', b'phones="T one ', "is not phones: of each its label, start and end"),
+        (b'agitation="high"', b'agitation="huge"', "agitation='huge' is not one of high, low, medium"),
+        (b' moment="m1"', b' momento="m1"', "unknown attribute momento; did you mean moment?"),
+        (b'phones="T 1.', b'phones="T one ', "is not phones: the label, start and end of each"),
     ],
 )
 def test_what_is_wrong_in_it_is_told_with_its_place(old: bytes, new: bytes, message: str) -> None:

@@ -92,7 +92,7 @@ def test_a_frame_has_a_type(tmp_path: Path) -> None:
 )
 def test_a_frame_says_a_thing_once(tmp_path: Path, line: str, what: str) -> None:
     (mistake,) = mistakes_in(tmp_path, gesture("ARMS both", last=f"{LAST}\n{line}"))
-    assert f"{what} stands here a second time" in mistake.message
+    assert f"duplicate {what}" in mistake.message
 
 
 @pytest.mark.parametrize("header", ["", "ARMS left"])

@@ -54,7 +54,7 @@ def test_every_statement_is_written_as_its_example(line: str) -> None:
         ("HAND form_fist form_flat", 18, "found 'form_flat'"),
         ("FRAMETYPE", 12, "FRAMETYPE is written as in: FRAMETYPE stroke_end"),
         ("OTHER", 3, "no line begins with 'OTHER'"),
-        ("OTHER ADDNOISE", 9, "OTHER speaks of the other arm's ARM, FINGER, HAND, JOINT, SHOULDER, WRIST"),
+        ("OTHER ADDNOISE", 9, "OTHER sets the other arm's ARM, FINGER, HAND, JOINT, SHOULDER, WRIST"),
         ("HAND 'form_fist'", 8, "found \"'form_fist'\""),
         ("DURATION 3", 3, "DURATION belongs before the first frame"),
     ],

@@ -118,7 +118,7 @@ def test_sums_of_directions_are_orthogonal_when_their_product_is_zero() -> None:
         ("FINGER pinky straight", 8, "'pinky' is not a finger: one of thumb, index, middle, ring, little"),
         ("FINGER index bend", 14, "'bend' is not a finger's bend"),
         ("WRIST FBUpDown PalmAway", 7, "Up and Down are opposite"),
-        ("WRIST FBUpUp PalmAway", 7, "a direction stands there twice"),
+        ("WRIST FBUpUp PalmAway", 7, "a direction is repeated"),
         ("WRIST FB PalmAway", 7, "'FB' is not FB and directions"),
         ("WRIST PalmAway FBUp", 7, "'PalmAway' is not FB and directions"),
         ("WRIST FBUp PalmForwards", 12, "'PalmForwards' is not Palm and directions, as PalmUp or PalmUpAway"),
@@ -158,8 +158,8 @@ def test_a_frame_sets_the_curve_at_its_pose(tmp_path: Path) -> None:
         ("CONTINUITY -2", 14, "-2 is outside -1 … 1"),
         ("BIAS much", 8, "found 'much'; BIAS is written as in: BIAS 0.3"),
         ("TENSON 0.5", 3, "no line begins with 'TENSON'; did you mean TENSION?"),
-        ("OTHER BIAS 0.5", 9, "OTHER speaks of the other arm's"),
-        ("BIAS 0\n  BIAS 1", 3, "BIAS stands here a second time"),
+        ("OTHER BIAS 0.5", 9, "OTHER sets the other arm's"),
+        ("BIAS 0\n  BIAS 1", 3, "duplicate BIAS"),
     ],
 )
 def test_a_curve_that_is_none_of_the_language(tmp_path: Path, line: str, column: int, told: str) -> None:

@@ -86,7 +86,7 @@ def test_a_gesture_made_by_another_hand_or_at_another_level_only_stands_in() -> 
     assert found is calm
     assert decision.action == "replaced"
     assert "both hands" in decision.reason
-    assert "low stands in" in decision.reason
+    assert "low replaces it" in decision.reason
 
 
 def test_the_variant_used_last_comes_last_and_the_others_as_drawn() -> None:

@@ -123,7 +123,7 @@ def test_an_elbow_that_cannot_be_where_its_swivel_is_is_told(understudy: Underst
 
     (reason,) = told("OFFER", "out")
     assert reason.startswith("to XC YCC ZMiddle: the right elbow is ")
-    assert reason.endswith("° out, not 30°, so far as wrist and joints allow")
+    assert reason.endswith("° out, not 30°, as far as wrist and joints allow")
     assert told("BEAT", "out") == told("OFFER", "normal") == []
 
 

@@ -58,7 +58,7 @@ MISTAKES = [
     ('rule r\nforeach\n  word(@"a, $s, $e)\nassert', "a text ends on its own line", '`"`'),
     ("rule r\nforeach\n  word(@'a', $s, $e)\nassert", "texts stand in double quotes", "`'`"),
     ("rule r\nforeach\n  word(a, $s, $e)\n  $s @! 3", "`!=` compares", "`!`"),
-    ("rule r\nforeach\n  word(a@; b)", "no part of the language begins so", "`;`"),
+    ("rule r\nforeach\n  word(a@; b)", "nothing in the language begins with it", "`;`"),
     ("rule r\nforeach\n  @$x\n", "expected a fact such as", ""),
     ("rule r\nforeach\n  @3 + 4\nassert\n word(a)", "expected a fact such as", ""),
     ("rule r\nforeach\n  unless @$x\nassert\n word(a)", "expected a fact such as", ""),

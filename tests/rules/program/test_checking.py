@@ -113,7 +113,7 @@ def test_what_is_said_twice_is_reported_at_both_places(tmp_path: Path) -> None:
     found = mistakes(tmp_path, DECLARATIONS + rule, rule + "predicate near(a, b)")
     assert [(mistake.path.stem, mistake.line) for mistake in found] == [("0", 2), ("0", 5), ("1", 1), ("1", 6)]
     assert "rule r is also at" in found[2].message
-    assert found[2].message.endswith("0.rules:5; a name must be said once")
+    assert found[2].message.endswith("0.rules:5; names must be unique")
 
 
 def test_a_declaration_that_cannot_be_read_brings_no_mistakes_in_its_rules(tmp_path: Path) -> None:
