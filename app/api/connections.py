@@ -38,7 +38,30 @@ _ACKED = slice(120, 128)
 """Where `tcpi_bytes_acked` stands in Linux's `struct tcp_info`."""
 
 
-class LimitedProtocol(H11Protocol):
+READ_BYTES, READ_IN_PARTS_BYTES = 1 << 13, 1 << 11
+"""So much of a connection is read in a turn of the event loop, and of a body or message that comes in parts: there may
+be hundreds of tiny ones in it, and all other connections wait until they are parsed."""
+
+
+class _ReadInTurns(asyncio.BufferedProtocol):
+    """A protocol whose data comes in pieces of `read_bytes`."""
+
+    read_bytes = READ_IN_PARTS_BYTES
+    _buffer: memoryview | None = None
+
+    def get_buffer(self, sizehint: int) -> memoryview:  # noqa: ARG002 - asyncio's signature
+        self._buffer = self._buffer or memoryview(bytearray(READ_BYTES))
+        return self._buffer[: self.read_bytes]
+
+    def buffer_updated(self, nbytes: int) -> None:
+        assert self._buffer is not None, "data was read into it"
+        self.data_received(bytes(self._buffer[:nbytes]))
+
+    def data_received(self, data: bytes) -> None:
+        raise NotImplementedError
+
+
+class LimitedProtocol(H11Protocol, _ReadInTurns):
     """uvicorn's HTTP/1.1 protocol with the limits of `settings`."""
 
     settings: Settings
@@ -63,6 +86,8 @@ class LimitedProtocol(H11Protocol):
         if not self._is_in_request and self.timeout_keep_alive_task is not None:
             self._headers_due_s = self.loop.time() + HEADERS_IN * self.settings.idle_s
         super().data_received(data)
+        is_in_parts = self._is_in_request and any(name == b"transfer-encoding" for name, _ in self.headers)
+        self.read_bytes = READ_IN_PARTS_BYTES if is_in_parts else READ_BYTES
 
     def handle_websocket_upgrade(self, event: h11.Request) -> None:
         """From here on the limits of WebSockets apply (`LimitedWebSocket`). A body is refused: it would be read as
@@ -137,7 +162,7 @@ _LEFT = select.POLLHUP | select.POLLERR | getattr(select, "POLLRDHUP", 0)
 """Poll events of a connection that its client has closed or reset; POLLRDHUP is Linux only."""
 
 
-class LimitedWebSocket(WebSocketsSansIOProtocol):
+class LimitedWebSocket(WebSocketsSansIOProtocol, _ReadInTurns):
     """uvicorn's WebSocket protocol with the limits of `settings`."""
 
     settings: Settings

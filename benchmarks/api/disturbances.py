@@ -30,6 +30,13 @@ STREAMS, FEW_STREAMS = 14, 4
 """Nearly all places of two cores; and as many as these can make frames for beside other work."""
 
 
+_MASK = bytes(4)
+EMPTY_FRAGMENT, EMPTY_SOUND, PING = b"\x00\x80" + _MASK, b"\x82\x80" + _MASK, b"\x89\x80" + _MASK
+"""Frames of six bytes, in which nothing is masked."""
+
+ONE_BYTE_CHUNK = b"1\r\n \r\n"
+
+
 @dataclass(frozen=True, slots=True)
 class Disturbance:
     """`begin` does it to a service, until the block ends."""
@@ -128,6 +135,42 @@ def _signalled(which: Callable[[Running], list[psutil.Process]], number: int, se
     yield
 
 
+@contextmanager
+def _flooded(begin: Callable[[Running], socket.socket], piece: bytes, service: Running) -> Iterator[None]:
+    """One connection on which pieces of a few bytes are sent without end, begun again whenever it is ended."""
+    enough = threading.Event()
+
+    def send() -> None:
+        while not enough.is_set():
+            with suppress(OSError), begin(service) as connection:
+                connection.settimeout(1.0)
+                while not enough.is_set():
+                    connection.sendall(piece * 1000)
+
+    thread = threading.Thread(target=send)
+    thread.start()
+    try:
+        yield
+    finally:
+        enough.set()
+        thread.join()
+
+
+def _begun_body(service: Running) -> socket.socket:
+    """A request whose body comes in chunks."""
+    connection = socket.create_connection((HOST, service.port), timeout=5)
+    head = "POST /functions HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json"
+    connection.sendall(f"{head}\r\nTransfer-Encoding: chunked\r\n\r\n".encode())
+    return connection
+
+
+def _begun_message(service: Running) -> socket.socket:
+    """A stream with the first fragment of a message of sound."""
+    connection = opened(service.port)
+    connection.sendall(b"\x02\x80" + _MASK)
+    return connection
+
+
 def _nursery(service: Running) -> list[psutil.Process]:
     return psutil.Process(service.process.pid).children()
 
@@ -209,6 +252,10 @@ CONNECTIONS = (
     Disturbance("520 upgrades of 200 headers", _upgrades("".join(f"X-{n}: y\r\n" for n in range(200)) + "\r\n")),
     Disturbance("520 upgrades of 9 kB", _upgrades(f"X: {'y' * 9000}\r\n\r\n")),
     Disturbance("odd requests", _odd_requests),
+    Disturbance("a body in chunks of one byte", _with(_flooded, _begun_body, ONE_BYTE_CHUNK)),
+    Disturbance("a message in empty fragments", _with(_flooded, _begun_message, EMPTY_FRAGMENT)),
+    Disturbance("empty messages of sound", _with(_flooded, lambda service: opened(service.port), EMPTY_SOUND)),
+    Disturbance("pings without end", _with(_flooded, _begun_message, PING)),
 )
 LIVE = (
     Disturbance("streams filled with sound, then reset", _with(_left_full, bytes(60_000))),

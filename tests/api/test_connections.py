@@ -8,11 +8,19 @@ from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager, suppress
 from http.client import HTTPConnection
 
+import h11
 import pytest
 import uvicorn
 from starlette.types import Receive, Scope, Send
 
-from understudy.api.connections import HEADERS_IN, MOST_HEADERS, READ_IN, limited_protocol
+from understudy.api.connections import (
+    HEADERS_IN,
+    MOST_HEADERS,
+    READ_BYTES,
+    READ_IN,
+    READ_IN_PARTS_BYTES,
+    limited_protocol,
+)
 from understudy.settings import Settings
 
 GET = b"GET / HTTP/1.1\r\nHost: x\r\n\r\n"
@@ -27,8 +35,10 @@ SENT_WITHIN_S = 2.0
 """In which time a small request is sent, however busy the machine."""
 
 
-async def answer(scope: Scope, _receive: Receive, send: Send) -> None:
-    """Many bytes at /large, fewer at /small, two elsewhere."""
+async def answer(scope: Scope, receive: Receive, send: Send) -> None:
+    """Reads the body, and answers many bytes at /large, fewer at /small, two elsewhere."""
+    while (await receive()).get("more_body"):
+        pass
     await send({"type": "http.response.start", "status": 200})
     sizes = {"/large": LARGE, "/small": SMALL}
     await send({"type": "http.response.body", "body": b"x" * sizes[scope["path"]] if scope["path"] in sizes else b"ok"})
@@ -120,6 +130,32 @@ def test_a_client_with_a_slow_line_gets_the_whole_answer() -> None:
             size += len(client.recv(1 << 12))
             time.sleep(0.01)
         assert size + sum(map(len, received(client))) > SMALL
+
+
+@pytest.mark.parametrize(
+    ("headers", "body", "most_bytes"),
+    [
+        (b"Transfer-Encoding: chunked", b"1\r\nx\r\n" * 20_000 + b"0\r\n\r\n", READ_IN_PARTS_BYTES),
+        (b"Content-Length: 120000", b"x" * 120_000, READ_BYTES),
+    ],
+)
+def test_what_comes_all_at_once_is_parsed_a_little_at_a_time(
+    monkeypatch: pytest.MonkeyPatch, headers: bytes, body: bytes, most_bytes: int
+) -> None:
+    parsed, receive_data = list[int](), h11.Connection.receive_data
+
+    def receive(connection: h11.Connection, data: bytes) -> None:
+        parsed.append(len(data))
+        receive_data(connection, data)
+
+    monkeypatch.setattr(h11.Connection, "receive_data", receive)
+    with served() as (_server, connect), connect() as client:
+        client.sendall(b"POST / HTTP/1.1\r\nHost: x\r\nConnection: close\r\n" + headers + b"\r\n\r\n")
+        time.sleep(SOON_S)
+        client.sendall(body)
+        assert b"".join(received(client)).startswith(b"HTTP/1.1 200")
+    assert sum(parsed) > len(body)
+    assert max(parsed) <= most_bytes
 
 
 def test_a_kept_connection_may_ask_again_after_longer_than_headers_may_take() -> None:
