@@ -38,7 +38,13 @@ from .scheduling.gesture_controller import accents_of, apply_gestures
 from .scheduling.planning import plan_gestures
 from .torso.idle import idle_motion
 from .torso.steps import with_steps
-from .torso.upper_body import with_aimed_arms, with_hanging_arms, with_neck_reaching, with_shrugs
+from .torso.upper_body import (
+    with_aimed_arms,
+    with_hands_on_pelvis,
+    with_hanging_arms,
+    with_neck_reaching,
+    with_shrugs,
+)
 
 _DECIMALS = 6
 """To which a number of frames is known: a recording of 2 s has 120 frames at 60 a second, not 121 by rounding."""
@@ -197,7 +203,7 @@ def _moving_body(
     body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=lively, accents=accents)
     body = with_shrugs(skeleton, with_hanging_arms(skeleton, body), plan)
     body, stepped = with_steps(skeleton, body, schedule, seed=seed)
-    body = with_aimed_arms(skeleton, body, plan.gestures)
+    body = with_aimed_arms(skeleton, with_hands_on_pelvis(skeleton, body, plan), plan.gestures)
     looks = accompanying_looks(skeleton, body, schedule, plan)
     seen_m = {**targets_m, **{str(look.gaze.target): look.at_m for look in looks}}
     body, at_m = apply_gaze(skeleton, body, with_looks(schedule, looks), targets_m=seen_m, seed=seed)

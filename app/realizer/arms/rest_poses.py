@@ -35,7 +35,7 @@ class Rest:
     """An arm at rest: wrist position, directions of fingers and palm, elbow swivel in degrees, and hand shape.
 
     A hand that is ready before the belly rides on stressed words, higher by the level `ready_at`; one that `holds` the
-    other cannot stay when that leaves.
+    other cannot stay when that leaves; one `on_pelvis` goes where the pelvis goes.
     """
 
     wrist_m: Point
@@ -46,13 +46,14 @@ class Rest:
     fingers: tuple[tuple[Finger, Bend], ...] = ()
     ready_at: Level | None = None
     holds: bool = False
+    on_pelvis: bool = False
 
 
 _CURVED = tuple((finger, Bend.CURVED) for finger in _FOUR)
 HANGING = Rest((0.266, -0.094, 0.030), (-0.06, -1.0, 0.16), (-1.0, 0.05, -0.45), -18.0)
 _STIFF = HandShape(HandForm.FLAT, Thumb.OUT)
-_IN_POCKETS = Rest((0.232, 0.015, 0.065), (-0.10, -1.0, 0.20), (-1.0, 0.1, -0.1), 5.0, _STIFF)
-_ON_HIPS = Rest((0.225, 0.090, 0.010), (-0.35, -0.45, 0.85), (-0.7, -0.6, -0.5), 46.0, _STIFF)
+_IN_POCKETS = Rest((0.232, 0.015, 0.065), (-0.10, -1.0, 0.20), (-1.0, 0.1, -0.1), 5.0, _STIFF, on_pelvis=True)
+_ON_HIPS = Rest((0.225, 0.090, 0.010), (-0.35, -0.45, 0.85), (-0.7, -0.6, -0.5), 46.0, _STIFF, on_pelvis=True)
 _OPEN = Rest((0.250, 0.110, 0.200), (-0.35, -0.15, 1.0), (-0.9, 0.25, -0.3))
 
 LAPS: Mapping[Level, str] = MappingProxyType({Level.LOW: "lap_low", Level.MEDIUM: "lap", Level.HIGH: "lap_high"})

@@ -4,7 +4,8 @@ Pointing arms stay on the line from shoulder to target for any stance or lean of
 upright body (`understudy.realizer.arms.posing`), so without this a tilted trunk would make the arm miss its target by
 the same angle. The rotation of the upper arm is corrected while the hand approaches, and released with the gesture.
 
-Hanging arms keep hanging straight down while the ribs bend to the side, and stay off the hips.
+Hanging arms keep hanging straight down while the ribs bend to the side, and stay off the hips. Hands on the hips or in
+the pockets go with the pelvis, not with the ribs.
 
 Shrugs and the forward reach of the neck are added after trunk, arms and head are placed. Both collarbones rise with
 gestures of uncertainty, and sink as they relax; the arms keep their orientation, so the hands rise with the shoulders
@@ -19,15 +20,20 @@ from dataclasses import replace
 from types import MappingProxyType
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...model import FloatArray, Hand, Schedule
+from ..arms.displacements import Displacement, displaced
+from ..arms.rest_poses import rest_pose, resting
+from ..body.contacts import PosedBody
 from ..body.motion import BodyMotion
 from ..body.movement_style import IdleLife
-from ..body.skeleton import SIDES, Skeleton
+from ..body.skeleton import SIDES, Skeleton, forward
+from ..dynamics.take_ends import eased_at_the_ends
 from ..geometry.curves import plateau
 from ..geometry.noise import perlin
 from ..geometry.rotations import IDENTITY, from_axis_angle, inverse, multiply, rotate, slerp
-from ..gestures.gesture_plan import ArmGesture, GesturePlan
+from ..gestures.gesture_plan import ArmGesture, ArmRest, GesturePlan
 from .stance import idle_activity
 
 _TRUNK = ("hips", "spine", "chest", "upperChest")
@@ -100,6 +106,43 @@ def _hanging(along: FloatArray) -> FloatArray:
     """How much arms in these directions (T, 3) hang (T,): 0 to 1."""
     share = np.clip((-along[:, 1] - _HANGS) / (_WHOLLY - _HANGS), 0.0, 1.0)
     return np.asarray(share * share * (3 - 2 * share))
+
+
+_SETTLES_S = 0.45
+"""The time before and after a rest over which a hand begins and ceases to go with the pelvis."""
+
+
+def with_hands_on_pelvis(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan) -> BodyMotion:
+    """The body with the hands that rest on hips or in pockets carried by the pelvis, whatever the ribs do."""
+    times_s = eased_at_the_ends(body.times_s, plan.style.ends.eased_s)
+    pushes_m = np.zeros((len(SIDES), len(times_s), 3))
+    for rest in plan.rests:
+        if resting(rest.pose, rest.side).on_pelvis:
+            begins_s, ends_s = rest.start_s - _SETTLES_S, rest.end_s + _SETTLES_S
+            share = plateau(times_s, begins_s, rest.start_s, rest.end_s, ends_s)
+            frames = np.flatnonzero(share)
+            carried_m = share[frames, None] * _carried_m(skeleton, body, rest, frames)
+            pushes_m[SIDES.index(rest.side), frames] += carried_m
+    moved = np.flatnonzero(pushes_m.any(axis=(0, 2)))
+    if not len(moved):
+        return body
+    still = np.zeros((len(moved), 3))
+    pushes = {side: Displacement(push_m[moved], still) for side, push_m in zip(SIDES, pushes_m, strict=True)}
+    rotations = body.rotations.copy()
+    posed = PosedBody.of(skeleton, rotations[moved], body.hips_m[moved])
+    rotations[moved] = displaced(skeleton, posed, pushes)
+    return replace(body, rotations=rotations)
+
+
+def _carried_m(skeleton: Skeleton, body: BodyMotion, rest: ArmRest, frames: NDArray[np.intp]) -> FloatArray:
+    """How far (F, 3) a wrist at rest is from where the chest carries it, if the pelvis carries it."""
+    wrist_m = rest_pose(skeleton, rest.side, rest.pose).wrist_m * [1.0 if rest.side is Hand.LEFT else -1.0, 1.0, 1.0]
+    upright_m = np.sum(skeleton.offsets_m[skeleton.chain(*_TRUNK[1:])], axis=0)
+    trunk = skeleton.chain(*_TRUNK)
+    at_m, turned = forward(skeleton, body.rotations[frames], body.hips_m[frames], frozenset(trunk))
+    hips, chest = trunk[0], trunk[-1]
+    by_pelvis_m = at_m[:, hips] + rotate(turned[:, hips], wrist_m)
+    return np.asarray(by_pelvis_m - at_m[:, chest] - rotate(turned[:, chest], wrist_m - upright_m))
 
 
 LIFTS_DEG: Mapping[str, float] = MappingProxyType(

@@ -10,13 +10,19 @@ from understudy.realizer.body.limits import violations
 from understudy.realizer.body.motion import BodyMotion, Motion
 from understudy.realizer.body.movement_style import IdleLife
 from understudy.realizer.body.skeleton import Skeleton, forward
-from understudy.realizer.geometry.rotations import angle_between, from_axis_angle, rotate
+from understudy.realizer.geometry.rotations import angle_between, from_axis_angle, inverse, rotate
 from understudy.realizer.gestures.gesture_plan import GesturePlan
 from understudy.realizer.realizing import realize
 from understudy.realizer.scheduling.gesture_controller import apply_gestures
 from understudy.realizer.scheduling.planning import plan_gestures
 from understudy.realizer.torso.idle import idle_motion
-from understudy.realizer.torso.upper_body import LIFTS_DEG, with_hanging_arms, with_neck_reaching, with_shrugs
+from understudy.realizer.torso.upper_body import (
+    LIFTS_DEG,
+    with_hands_on_pelvis,
+    with_hanging_arms,
+    with_neck_reaching,
+    with_shrugs,
+)
 
 LAMP = Target("lamp", (1.0, 1.5, 1.9))
 POINTING = behavior(Channel.GESTURE, "POINT_LEFT", 1.2, 1.7, 1.7, 2.0, 2.1, 3.2, 3.8, hand=Hand.LEFT, target="lamp")
@@ -74,6 +80,31 @@ def test_a_raised_arm_goes_with_the_ribs() -> None:
     raised = BodyMotion(TIMES_S, rotations, LEANING.hips_m)
     arm = BODY.index["leftUpperArm"]
     assert np.allclose(with_hanging_arms(BODY, raised).rotations[:, arm], rotations[:, arm], atol=1e-9)
+
+
+def strayed_m(body: BodyMotion, side: str) -> float:
+    """How far a wrist goes about in the space of the pelvis, after the hands have come to rest."""
+    places_m, turned = forward(BODY, body.rotations, body.hips_m)
+    hips, wrist = BODY.chain("hips", f"{side}Hand")
+    there_m = rotate(inverse(turned[:, hips]), places_m[:, wrist] - places_m[:, hips])[TIMES_S > 0.5]
+    return float(np.linalg.norm(there_m - there_m[0], axis=1).max())
+
+
+@pytest.mark.parametrize("posture", ["HANDS_ON_HIPS", "HANDS_IN_POCKETS"])
+def test_hands_on_the_pelvis_stay_there_while_the_ribs_lean(posture: str) -> None:
+    resting = behavior(Channel.POSTURE, posture, 0.0, 0.2)
+    plan = plan_gestures(LIBRARY, schedule(resting), seed=0)
+    body = apply_gestures(BODY, LEANING, plan, seed=0, noise_scale=0.0)
+    carried = with_hands_on_pelvis(BODY, body, plan)
+    for side in ("left", "right"):
+        assert strayed_m(body, side) > 0.02
+        assert strayed_m(carried, side) < 0.5 * strayed_m(body, side)
+
+
+def test_hands_before_the_belly_go_with_the_ribs() -> None:
+    plan = plan_gestures(LIBRARY, schedule(behavior(Channel.POSTURE, "HANDS_CLASPED", 0.0, 0.2)), seed=0)
+    body = apply_gestures(BODY, LEANING, plan, seed=0)
+    assert with_hands_on_pelvis(BODY, body, plan) is body
 
 
 LIBRARY = load_gestures()
