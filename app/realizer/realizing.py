@@ -13,7 +13,7 @@ from types import MappingProxyType
 import numpy as np
 
 from ..model import Behavior, Channel, FloatArray, Hand, Schedule, SyncPoints
-from ..model.figure import PLAIN, Figure, Looks, Wait
+from ..model.figure import PLAIN, Figure, Looks
 from ..option_table import MOTION
 from .arms.collisions import Collisions, resolve_collisions
 from .body.motion import BodyMotion, Decision, Motion
@@ -61,19 +61,20 @@ _LARGEST_SEED = 2**64 - 1
 @dataclass(frozen=True, slots=True, eq=False)
 class RealizedCharacter:
     """A character as it is realized: its body, its looks, the gestures of the library in its manner, the hand that
-    leads in those of both, and how its hands wait (none given: in all ways)."""
+    leads in those of both, and how its body moves."""
 
     skeleton: Skeleton
     looks: Looks
     library: Library
     leading: Hand
-    waits: tuple[Wait, ...] = ()
+    style: MovementStyle
 
     @classmethod
-    def of(cls, figure: Figure, library: Library) -> "RealizedCharacter":
+    def of(cls, figure: Figure, library: Library, style: MovementStyle) -> "RealizedCharacter":
         """The performer whose figure this is."""
         skeleton = Skeleton.standing(Proportions(figure.physique))
-        return cls(skeleton, figure.looks, library.in_manner(figure.manner), figure.leading, figure.waits)
+        gestures = library.in_manner(style.sex(figure).manner(figure.manner))
+        return cls(skeleton, figure.looks, gestures, figure.leading, style.of(figure))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -101,13 +102,14 @@ class Realizer:
         cls, library: Library, lexicon: Path, figures: Mapping[str, Figure] = MappingProxyType({})
     ) -> "Realizer":
         """The same with gestures that are loaded already."""
-        average = RealizedCharacter.of(PLAIN, library)
+        style = MovementStyle.load(lexicon / "movement.yaml")
+        average = RealizedCharacter.of(PLAIN, library, style)
         return cls(
             average=average,
-            performers={name: RealizedCharacter.of(figure, library) for name, figure in figures.items()},
+            performers={name: RealizedCharacter.of(figure, library, style) for name, figure in figures.items()},
             library=library,
             face=FaceTables.load(lexicon / "face.yaml"),
-            style=MovementStyle.load(lexicon / "movement.yaml"),
+            style=style,
             rigs=load_rigs(lexicon / "retarget", average.skeleton),
         )
 
@@ -146,8 +148,7 @@ def realize(
     schedule = replace(schedule, duration_s=schedule.duration_s + tail_s)
     performer = realizer.performer(schedule.character)
     skeleton, aims_m = performer.skeleton, _targets_m(schedule, performer.skeleton)
-    style = replace(realizer.style, waits=realizer.style.waits.only(performer.waits))
-    style = replace(style, ends=Ends()) if open_ended else style
+    style = replace(performer.style, ends=Ends()) if open_ended else performer.style
     plan = plan_gestures(
         performer.library,
         schedule,

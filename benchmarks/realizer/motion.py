@@ -191,7 +191,7 @@ def report_keys(realizer: Realizer, realized: Sequence[Realized]) -> None:
 
 def _planned(realizer: Realizer, schedule: Schedule) -> GesturePlan:
     performer = realizer.performer(schedule.character)
-    return plan_gestures(performer.library, schedule, seed=0, leading=performer.leading, style=realizer.style)
+    return plan_gestures(performer.library, schedule, seed=0, leading=performer.leading, style=performer.style)
 
 
 def off_keys_m(realizer: Realizer, schedule: Schedule) -> Iterator[float]:

@@ -5,14 +5,14 @@ does no more than its schedule asks: every amount is 0.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from math import inf
 from pathlib import Path
 from typing import Annotated, ClassVar, Literal, TypeAlias
 
 from pydantic import AfterValidator, ConfigDict, Field
 
-from ...model.figure import Wait
+from ...model.figure import Figure, GestureManner, Sex, Wait
 from ...yaml_files import Entry, Source
 
 
@@ -29,6 +29,7 @@ Reach: TypeAlias = Annotated[float, Field(ge=0, le=0.6)]
 Aside: TypeAlias = Annotated[float, Field(ge=-0.15, le=0.15)]
 OpenHand: TypeAlias = Literal["form_default", "form_flat", "form_spread"]
 Bend: TypeAlias = Annotated[float, Field(ge=0, le=60)]
+Turn: TypeAlias = Annotated[float, Field(ge=-20, le=20)]
 Lift: TypeAlias = Annotated[float, Field(ge=-0.2, le=0.2)]
 Metres: TypeAlias = Annotated[float, Field(ge=0, le=0.4)]
 Hertz: TypeAlias = Annotated[float, Field(ge=0.01, le=2)]
@@ -134,7 +135,7 @@ class Dragging:
     hand_lag_s: Seconds = 0.0
     fingers_deg: Bend = 0.0
     finger_lag_s: Seconds = 0.0
-    life_deg: Degrees = 0.0
+    life_deg: Bend = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,14 +185,48 @@ class LevelVariant:
     offset_m: tuple[Aside, Aside, Aside]
     hand: OpenHand | None = None
 
+    def aside(self, offset_m: Sequence[float], hand: OpenHand | None) -> "LevelVariant":
+        out, up, away = (own + more for own, more in zip(self.offset_m, offset_m, strict=True))
+        return LevelVariant((out, up, away), self.hand or hand)
+
 
 @dataclass(frozen=True, slots=True)
 class LevelVariants:
-    """The variants of a gesture that is calm, and of one that is agitated."""
+    """The variants of a gesture that is calm, of one that is agitated, and, for a sex, of one that is neither."""
 
     __pydantic_config__: ClassVar[ConfigDict] = _STRICT
     low: LevelVariant
     high: LevelVariant
+    medium: LevelVariant = LevelVariant((0.0, 0.0, 0.0))
+
+    def aside(self, offset_m: Sequence[float], hand: OpenHand | None) -> "LevelVariants":
+        """The variants with all hands that far elsewhere, and `hand` where a level has no shape of its own."""
+        return LevelVariants(*(each.aside(offset_m, hand) for each in (self.low, self.high, self.medium)))
+
+
+@dataclass(frozen=True, slots=True)
+class SexStyle:
+    """How the gestures of a sex differ from those of the neutral body: added to a character's own `space` (a factor),
+    `elbow_deg` and `wrist_deg`; where the hands are and the shape of open ones, in gestures that have variants; and, as
+    factors, how much of the weight goes to one leg, and how far the ribs bend over it."""
+
+    __pydantic_config__: ClassVar[ConfigDict] = _STRICT
+    space: Factor = 1.0
+    elbow_deg: Turn = 0.0
+    wrist_deg: Turn = 0.0
+    offset_m: tuple[Aside, Aside, Aside] = (0.0, 0.0, 0.0)
+    hand: OpenHand | None = None
+    stance: Factor = 1.0
+    ribs: Factor = 1.0
+
+    def manner(self, own: GestureManner) -> GestureManner:
+        """A character's own manner, made as its sex does, within the ranges for which bodies were tested."""
+        return replace(
+            own,
+            space=min(max(own.space * self.space, 0.7), 1.3),
+            elbow_deg=min(max(own.elbow_deg + self.elbow_deg, -20.0), 30.0),
+            wrist_deg=min(max(own.wrist_deg + self.wrist_deg, -20.0), 20.0),
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -210,6 +245,23 @@ class MovementStyle:
     dragging: Dragging = Dragging()
     ends: Ends = Ends()
     variants: Mapping[str, LevelVariants] = field(default_factory=dict)
+    sexes: Mapping[Sex, SexStyle] = field(default_factory=dict)
+
+    def of(self, figure: Figure) -> "MovementStyle":
+        """How the body of this figure moves: as its sex does, with the waits of its own."""
+        sex, idle = self.sex(figure), self.idle
+        side_deg, twist_deg = idle.ribs_side_deg * sex.ribs, idle.ribs_twist_deg * sex.ribs
+        weight = min(idle.stance_weight * sex.stance, 1.0)
+        return replace(
+            self,
+            waits=self.waits.only(figure.waits),
+            idle=replace(idle, stance_weight=weight, ribs_side_deg=side_deg, ribs_twist_deg=twist_deg),
+            variants={name: each.aside(sex.offset_m, sex.hand) for name, each in self.variants.items()},
+        )
+
+    def sex(self, figure: Figure) -> SexStyle:
+        """What is usual for the sex of this figure."""
+        return self.sexes.get(figure.physique.sex, SexStyle())
 
     @classmethod
     def load(cls, path: Path) -> "MovementStyle":
@@ -231,6 +283,7 @@ class _MovementFile(Entry):
     dragging: Dragging
     ends: Ends
     variants: dict[str, LevelVariants]
+    sexes: dict[Sex, SexStyle]
 
 
 PLAIN = MovementStyle()

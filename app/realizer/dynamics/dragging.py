@@ -32,7 +32,7 @@ _ASIDE = 0.4
 """The factor of sideways lag, towards thumb or little finger, relative to lag towards palm and back."""
 _LIFE_HZ = 0.75
 
-_AT_EASE = 0.6
+_AT_EASE = 0.4
 """The mean curl of the fingers at rest, as a share of the amplitude of their movement about it."""
 
 _JOINTS: FloatArray = np.array([1.0, 1.0, 0.7])

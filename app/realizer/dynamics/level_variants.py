@@ -2,7 +2,8 @@
 high).
 
 In addition to scaling, calm hands stay lower, nearer to the body and relaxed; agitated hands go up and out, spread
-(`variants` of lexicon/movement.yaml). Gestures that point or show a place, a height or a size are unchanged.
+(`variants` of lexicon/movement.yaml). A body that is female or male has them elsewhere at all three levels (`sexes`,
+`MovementStyle.of`). Gestures that point or show a place, a height or a size are unchanged.
 """
 
 from collections.abc import Mapping
@@ -20,9 +21,11 @@ def varied(placed: PlacedGesture, variants: Mapping[str, LevelVariants]) -> Plac
     """The variant of the gesture for its level of agitation."""
     clip = placed.clip
     found = variants.get(clip.category)
-    if found is None or clip.level is Level.MEDIUM or placed.request.slots or clip.aimed:
+    if found is None or placed.request.slots or clip.aimed:
         return placed
-    variant = found.low if clip.level is Level.LOW else found.high
+    variant = {Level.LOW: found.low, Level.MEDIUM: found.medium, Level.HIGH: found.high}[clip.level]
+    if not any(variant.offset_m) and not variant.hand:
+        return placed
     return replace(placed, clip=replace(clip, keys=tuple(_varied_key(key, variant) for key in clip.keys)))
 
 

@@ -14,14 +14,14 @@ from ..arms.rest_poses import resting
 from ..body.movement_style import Lap
 from ..gestures.gesture_plan import ArmRest, Repeat
 
-SPACING_S = 0.5
+SPACING_S = 0.46
 """The shortest time between the ends of two beats."""
 _LIFT_S = 0.42
 """The duration of a beat, up and down."""
 _SETTLED_S = 0.15
 """The minimum time between a beat and the start or end of the rest."""
 _OTHER_SHARE, _OTHER_LAG_S = 0.6, 0.05
-_STEPS_S = (0.45, 0.75)
+_STEPS_S = (0.42, 0.68)
 _UNSTRESSED = 0.65
 """The height of a beat on no stressed word, relative to one on a stressed word."""
 

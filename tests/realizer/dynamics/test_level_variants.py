@@ -6,6 +6,7 @@ from math import dist
 import pytest
 
 from understudy.model import Hand, Level, Slots
+from understudy.model.figure import Figure, GestureManner, Physique, Sex
 from understudy.models import load_gestures, load_realizer
 from understudy.realizer.arms.wrist_paths import stroke_end_m
 from understudy.realizer.body.movement_style import MovementStyle
@@ -21,6 +22,10 @@ APART_M = 0.10
 @pytest.fixture(scope="module")
 def style() -> MovementStyle:
     return load_realizer().style
+
+
+def of_sex(style: MovementStyle, sex: Sex) -> MovementStyle:
+    return style.of(Figure(Physique(sex=sex)))
 
 
 def request(category: str, level: Level, hand: Hand, slots: Slots | None = None) -> GestureRequest:
@@ -66,3 +71,25 @@ def test_what_shows_a_place_stays_where_it_is(style: MovementStyle) -> None:
     asked = request("PLACE_LEFT", Level.HIGH, Hand.RIGHT, Slots(height_m=1.0))
     (first, *_others) = (place_clip(clip, asked) for clip in clips_of(asked, load_gestures()))
     assert varied(first, style.variants) is first
+
+
+def test_women_and_men_have_their_hands_elsewhere(style: MovementStyle) -> None:
+    """At least 5 cm, which is seen; a neutral body has those of the library, and what shows a place stays there."""
+    own = {sex: of_sex(style, sex) for sex in Sex}
+    for category in style.variants:
+        asked = request(category, Level.MEDIUM, Hand.RIGHT)
+        plain = [place_clip(clip, asked) for clip in clips_of(asked, load_gestures())]
+        for each in plain:
+            made = {sex: varied(each, own[sex].variants) for sex in Sex}
+            assert made[Sex.NEUTRAL] is each
+            woman, man = (ended(made[sex]) for sex in (Sex.FEMALE, Sex.MALE))
+            assert each.clip.aimed or dist(woman[0], man[0]) > 0.05
+    shown = place_clip(plain[0].clip, request(category, Level.MEDIUM, Hand.RIGHT, Slots(side="left")))
+    assert varied(shown, own[Sex.FEMALE].variants) is shown
+
+
+def test_women_hold_their_elbows_in_and_men_out_within_what_was_tested(style: MovementStyle) -> None:
+    elbows = {sex: style.sexes[sex].manner(GestureManner()).elbow_deg for sex in (Sex.FEMALE, Sex.MALE)}
+    assert elbows[Sex.FEMALE] < 0 < elbows[Sex.MALE]
+    assert style.sexes[Sex.FEMALE].manner(GestureManner(elbow_deg=-18)).elbow_deg == -20
+    assert of_sex(style, Sex.FEMALE).idle.stance_weight > of_sex(style, Sex.MALE).idle.stance_weight
