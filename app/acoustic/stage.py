@@ -34,6 +34,7 @@ from ..settings import Settings
 from ..text.transcript import read_transcript
 from .affect.line_affect import Stretch, given_line, line_affect
 from .affect.manner import word_manners
+from .agitation.utterance_features import full_features
 from .agitation.voice_quality import voice_quality
 from .alignment.alignment import Alignment
 from .alignment.timings import read_fillers, read_timings
@@ -158,10 +159,11 @@ def _measured(
     progress("contours")
     contours = contours_of(signal)
     progress("agitation")
-    stretch = Stretch(signal, contours, voice_quality(signal, contours.f0_hz))
-    agitation = acoustic.agitation.agitation(contours, stretch.quality, reference)
-    affect = acoustic.affect.affect_of(stretch, reference)
-    return SignalAnalysis(signal, contours, stretch.quality, agitation, affect, doubts(contours.energy_db))
+    quality = voice_quality(signal, contours.f0_hz)
+    features = full_features(contours, quality)
+    agitation = acoustic.agitation.agitation(features, reference)
+    affect = acoustic.affect.affect_of(Stretch(signal, contours, quality, features), reference)
+    return SignalAnalysis(signal, contours, quality, features, agitation, affect, doubts(contours.energy_db))
 
 
 def hear_sound(acoustic: AcousticModels, sound: Audio) -> Affect:
@@ -178,7 +180,7 @@ def hear_manners(
 
 
 def _stretch(heard: SignalAnalysis) -> Stretch:
-    return Stretch(heard.audio, heard.contours, heard.quality)
+    return Stretch(heard.audio, heard.contours, heard.quality, heard.features)
 
 
 def align_words(
@@ -207,7 +209,7 @@ def measure_stress(
 
 def make_reference(acoustic: AcousticModels, recordings: Sequence[SignalAnalysis]) -> SpeakerReference:
     """How the speaker of these recordings, one or more, usually sounds."""
-    features = [acoustic.agitation.describe(heard.contours, heard.quality) for heard in recordings]
+    features = [acoustic.agitation.describe(heard.features) for heard in recordings]
     return SpeakerReference.of(acoustic.agitation.feature_set, features)
 
 

@@ -8,7 +8,7 @@ from .functions import Fact, Function, GivenFunction
 from .language import Utterance
 from .performance import Notice
 from .voice.affect import Affect
-from .voice.signal import PLAINLY_SPOKEN, Audio, Contours, Speaking, VoiceQuality
+from .voice.signal import PLAINLY_SPOKEN, Audio, Contours, FloatArray, Speaking, VoiceQuality
 from .voice.speech import Agitation, Filler, Word
 
 
@@ -42,11 +42,13 @@ class Line:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SignalAnalysis:
-    """What is measured in the signal alone."""
+    """What is measured in the signal alone; `features` describe the voice in it
+    (`understudy.acoustic.agitation.utterance_features`)."""
 
     audio: Audio
     contours: Contours
     quality: VoiceQuality
+    features: FloatArray
     agitation: Agitation
     affect: Affect
     notices: tuple[Notice, ...]

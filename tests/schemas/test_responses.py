@@ -170,6 +170,7 @@ def test_the_small_shapes() -> None:
         Audio(silence),
         Contours(*(silence,) * 4),
         VoiceQuality(*(silence,) * 4),
+        silence,
         Agitation(0.5, 0.25, 0.25),
         NEUTRAL,
         (),

@@ -71,11 +71,12 @@ def _starts(words: tuple[Word, ...]) -> Iterator[int]:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Stretch:
-    """Sound with its contours and voice quality, frame by frame."""
+    """Sound with its contours and voice quality, frame by frame; `described` are its features, if they are known."""
 
     audio: Audio
     contours: Contours
     quality: VoiceQuality
+    described: FloatArray | None = None
 
     @property
     def duration_s(self) -> float:
@@ -96,7 +97,7 @@ class Stretch:
 
     def features(self) -> FloatArray:
         """The features of affect, NaN where unknown."""
-        return full_features(self.contours, self.quality)
+        return full_features(self.contours, self.quality) if self.described is None else self.described
 
 
 class AffectJudge(Protocol):

@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import InputError
-from ...model import Agitation, Contours, FloatArray, Level, VoiceQuality
+from ...model import Agitation, FloatArray, Level
 from ...model.voice.signal import SpeakerReference
 from .stored import read_arrays, write_arrays
 from .utterance_features import FEATURE_SETS, TypicalSpeaker
@@ -137,19 +137,17 @@ class AgitationModel:
             raise _no_model(path, f"features {feature_set!r}")
         return model
 
-    def agitation(
-        self, contours: Contours, quality: VoiceQuality, reference: SpeakerReference | None = None
-    ) -> Agitation:
-        """The memberships of an utterance, optionally relative to the speaker's reference.
+    def agitation(self, features: FloatArray, reference: SpeakerReference | None = None) -> Agitation:
+        """The memberships of an utterance with these `full_features`, optionally relative to the speaker's reference.
 
         Raises InputError `reference_other_features`.
         """
-        return self.judge(self.describe(contours, quality), reference)
+        return self.judge(self.describe(features), reference)
 
-    def describe(self, contours: Contours, quality: VoiceQuality) -> FloatArray:
-        """The features of the utterance (features,); undefined ones, such as pitch in a whisper, are set to the
+    def describe(self, features: FloatArray) -> FloatArray:
+        """Those of `full_features` that the model knows; undefined ones, such as pitch in a whisper, are set to the
         average."""
-        return self.typical.completed(FEATURE_SETS[self.feature_set](contours, quality))
+        return self.typical.completed(features[: FEATURE_SETS[self.feature_set]])
 
     def judge(self, features: FloatArray, reference: SpeakerReference | None = None) -> Agitation:
         """The memberships for these features; raises as `agitation` does."""

@@ -16,8 +16,9 @@ a prior weight of `MEAN_PRIOR` recordings (`DEVIATION_PRIOR` for the deviation).
 features of the variance within speakers divided by that between speakers.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,7 +42,7 @@ _RANGE_PERCENT = (10, 90)
 _SMOOTHING = np.hanning(9) / np.hanning(9).sum()
 
 
-def paper_features(contours: Contours, _quality: VoiceQuality) -> FloatArray:
+def paper_features(contours: Contours) -> FloatArray:
     """The median MFCC over the active frames, shape (12,).
 
     The paper uses all frames. Pauses and background say nothing about the voice, and leaving them out is the largest
@@ -60,7 +61,7 @@ def full_features(contours: Contours, quality: VoiceQuality) -> FloatArray:
     spoken = _within(contours.energy_db, SPOKEN_RANGE_DB)
     active = _within(contours.energy_db, ACTIVE_RANGE_DB)
     groups = (
-        paper_features(contours, quality),
+        paper_features(contours),
         _cepstral_motion(contours),
         _energy_and_tempo(contours),
         _of_the_voice(contours, quality),
@@ -210,10 +211,8 @@ def _bands_with_loudness(energy_db: FloatArray, levels_db: SingleArray) -> Float
     return change
 
 
-FEATURE_SETS: Mapping[str, Callable[[Contours, VoiceQuality], FloatArray]] = {
-    "paper": paper_features,
-    "full": full_features,
-}
+FEATURE_SETS: Mapping[str, int] = MappingProxyType({"paper": 12, "full": 149})
+"""How many of `full_features` each set has, which begin with the paper's."""
 
 
 MEAN_PRIOR = 3

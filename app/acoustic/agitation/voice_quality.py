@@ -15,6 +15,7 @@ whole number of frame shifts long, so that maxima per shift need no loop over fr
 """
 
 from collections.abc import Iterator
+from functools import cache
 
 import numpy as np
 
@@ -150,6 +151,7 @@ def _greatest(samples: FloatArray) -> Iterator[SingleArray]:
         yield greatest
 
 
+@cache
 def _wavelet_responses() -> SingleArray:
     """The frequency responses of the wavelets centred on 8 kHz, 4 kHz … (octaves × frequencies)."""
     time = np.fft.fftfreq(_PEAK_FFT, 1 / _PEAK_FFT)

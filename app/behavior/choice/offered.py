@@ -8,8 +8,9 @@ of a kind. `lost_to` names the behaviour that has its place, `limit` what forbad
 """
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from math import inf, log
 
 from ...model import Behavior, Channel, Interval, Moment, SyncPoints, Term, Word
@@ -80,12 +81,12 @@ class _Shown:
 
 @dataclass(frozen=True, slots=True)
 class _Weighed:
-    """What a candidate is worth in log-odds and what would have been enough; the parts of the sum, the largest
-    first."""
+    """What a candidate is worth in log-odds and what would have been enough; `explained` gives the parts of the sum,
+    the largest first, which most candidates do without."""
 
     worth: float
     enough: float
-    parts: tuple[Term, ...]
+    explained: Callable[[], tuple[Term, ...]]
 
 
 def not_taken(
@@ -170,11 +171,11 @@ def _told(candidate: _Candidate, shown: _Shown, near: float) -> Behavior | None:
     ban = player.banned(candidate.name, candidate.first, candidate.last)
     winner = None if ban else _in_its_place(candidate.channel, shown.winners, interval)
     weighed = _weighed(candidate, shown, winner)
-    behavior = replace(_behavior(candidate, player, interval), decided_by=weighed.parts)
+    if ban is None and weighed.worth < weighed.enough - near:
+        return None
+    behavior = replace(_behavior(candidate, player, interval), decided_by=weighed.explained())
     if ban is not None:
         return replace(behavior, limit=NEVER, reason=ban.why)
-    if weighed.worth < weighed.enough - near:
-        return None
     if winner is None:
         below = weighed.worth - weighed.enough
         why = f"scores too low there ({below:+.1f} log-odds)" if below > -inf else _UNWEIGHED
@@ -212,12 +213,14 @@ def _behavior(candidate: _Candidate, player: Player, interval: Interval) -> Beha
 
 def _weighed(candidate: _Candidate, shown: _Shown, winner: Behavior | None) -> _Weighed:
     """What the candidate is worth where it is worth most, and what would have been enough."""
-    if candidate.moment is not None:
-        return _Weighed(0.0, 0.0, candidate.moment.terms)
-    own = candidate.supports[0].parts if candidate.supports else ()
+    moment = candidate.moment
+    if moment is not None:
+        return _Weighed(0.0, 0.0, lambda: moment.terms)
     if candidate.channel is Channel.GESTURE:
-        return _as_gesture(candidate, shown.planned, shown.player, winner) or _Weighed(-inf, 0.0, own)
-    return _as_kind(candidate, shown.planned, shown.forms.kinds.get(candidate.name)) or _Weighed(-inf, 0.0, own)
+        weighed = _as_gesture(candidate, shown.planned, shown.player, winner)
+    else:
+        weighed = _as_kind(candidate, shown.planned, shown.forms.kinds.get(candidate.name))
+    return weighed or _Weighed(-inf, 0.0, lambda: candidate.supports[0].parts if candidate.supports else ())
 
 
 def _as_gesture(candidate: _Candidate, planned: Plan, player: Player, winner: Behavior | None) -> _Weighed | None:
@@ -230,7 +233,7 @@ def _as_gesture(candidate: _Candidate, planned: Plan, player: Player, winner: Be
     made = None if winner is None or stroke is None else worths.of(stroke, winner.lexeme)
     price = min(max(planned.price, 0.01), 0.99)
     enough = log(price / (1 - price)) if made is None else made
-    return _Weighed(by_word[word], enough, worths.parts(word, lexeme))
+    return _Weighed(by_word[word], enough, partial(worths.parts, word, lexeme))
 
 
 def _as_kind(candidate: _Candidate, planned: Plan, kind: str | None) -> _Weighed | None:
@@ -240,7 +243,7 @@ def _as_kind(candidate: _Candidate, planned: Plan, kind: str | None) -> _Weighed
         return None
     margin, column = worths.margin(kind, candidate.first, candidate.last), worths.kinds.index(kind)
     word = max(range(candidate.first, candidate.last + 1), key=lambda each: float(worths.likely[each, column]))
-    return _Weighed(margin, 0.0, worths.parts(kind, word))
+    return _Weighed(margin, 0.0, partial(worths.parts, kind, word))
 
 
 def _in_its_place(channel: Channel, behaviors: Iterable[Behavior], interval: Interval) -> Behavior | None:

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...acoustic.agitation.agitation import AgitationModel, save_file
 from ...acoustic.agitation.teaching import LabelledRecordings, LeftOut, left_out, teach
-from ...acoustic.agitation.utterance_features import FEATURE_SETS
+from ...acoustic.agitation.utterance_features import FEATURE_SETS, full_features
 from ...acoustic.agitation.voice_quality import voice_quality
 from ...acoustic.signal.decoding import decode
 from ...acoustic.stage import audio_limits, contours_of
@@ -58,7 +58,7 @@ def _features(path: Path, feature_set: str, settings: Settings) -> FloatArray:
     except InputError as error:
         raise InputError(error.code, f"{path}: {error.message}", field="labels") from None
     contours = contours_of(audio)
-    return FEATURE_SETS[feature_set](contours, voice_quality(audio, contours.f0_hz))
+    return full_features(contours, voice_quality(audio, contours.f0_hz))[: FEATURE_SETS[feature_set]]
 
 
 def _told(found: LeftOut) -> str:

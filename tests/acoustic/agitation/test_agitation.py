@@ -12,7 +12,7 @@ import soundfile
 
 from tests.support.words.measured import measured
 from understudy.acoustic.agitation.agitation import AgitationModel, FuzzySvm, save
-from understudy.acoustic.agitation.utterance_features import FEATURE_SETS, TypicalSpeaker
+from understudy.acoustic.agitation.utterance_features import FEATURE_SETS, TypicalSpeaker, full_features
 from understudy.errors import InputError, ServiceError
 from understudy.files import resource_folder
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray, Level
@@ -144,7 +144,7 @@ def test_the_shipped_models_load_without_scikit_learn() -> None:
 @pytest.mark.parametrize("samples", [np.zeros(1), np.zeros(SAMPLE_RATE_HZ), np.eye(1, 400)[0]])
 def test_the_shipped_models_judge_whatever_they_hear(samples: FloatArray, feature_set: str) -> None:
     audio = Audio(samples)
-    agitation = AgitationModel.load(MODEL_FOLDER, feature_set).agitation(*measured(audio))
+    agitation = AgitationModel.load(MODEL_FOLDER, feature_set).agitation(full_features(*measured(audio)))
     assert agitation.low + agitation.medium + agitation.high == pytest.approx(1)
     assert min(agitation.low, agitation.medium, agitation.high) >= 0
 
@@ -154,5 +154,5 @@ def test_recording_level_changes_nothing(feature_set: str) -> None:
     model = AgitationModel.load(MODEL_FOLDER, feature_set)
     samples, _ = soundfile.read(Path(__file__).parents[2] / "audio" / "figure8.flac")
     loud, quiet = Audio(samples), Audio(samples * 0.01)
-    heard, whispered = (model.agitation(*measured(audio)) for audio in (loud, quiet))
+    heard, whispered = (model.agitation(full_features(*measured(audio))) for audio in (loud, quiet))
     assert (heard.low, heard.high) == pytest.approx((whispered.low, whispered.high), abs=1e-4)

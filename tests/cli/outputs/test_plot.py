@@ -42,7 +42,7 @@ def heard(duration_s: float = DURATION_S, f0_hz: float = 120.0) -> SignalAnalysi
     )
     samples: FloatArray = 0.5 * np.sin(np.arange(round(16_000 * duration_s)) / 20)
     quality = VoiceQuality(*(np.zeros(frames) for _ in fields(VoiceQuality)))
-    return SignalAnalysis(Audio(samples), contours, quality, Agitation(0.2, 0.5, 0.3), NEUTRAL, ())
+    return SignalAnalysis(Audio(samples), contours, quality, np.zeros(149), Agitation(0.2, 0.5, 0.3), NEUTRAL, ())
 
 
 def pixels(picture: bytes) -> NDArray[np.float32]:
