@@ -7,6 +7,7 @@ import { clipFromJson } from "understudy-client";
 import { viewOf } from "../../studio/page/stage/cameras.js";
 import { Figure } from "../../studio/page/stage/figure.js";
 import { makePlace } from "../../studio/page/stage/scene.js";
+import { Store } from "../../studio/page/state/store.js";
 import { fileNamed } from "./files.js";
 
 /** @import { Clip } from "understudy-client" */
@@ -34,7 +35,7 @@ export class Player {
    * @param {boolean} hidesFace
    */
   constructor(canvas, hidesFace) {
-    this.#place = makePlace(canvas);
+    this.#place = makePlace(canvas, new Store());
     this.#place.controls.enabled = false;
     this.#hidesFace = hidesFace;
     const { from_m, at_m } = viewOf("medium", EYES_M, [0, EYES_M, 1.7]);

@@ -143,3 +143,26 @@ def test_another_character_has_another_body_and_can_be_undone(rewound: Page) -> 
     wait_until(rewound, f"document.querySelector('#stage-canvas').dataset.pose.split(' ')[1] != {before[1]:.4f}")
     rewound.click("#undo")
     wait_until(rewound, f"document.querySelector('#stage-canvas').dataset.pose.split(' ')[1] == {before[1]:.4f}")
+
+
+def test_without_a_graphics_card_what_moves_is_coarse_unless_it_is_wanted_otherwise(rewound: Page) -> None:
+    page = rewound
+
+    def want(quality: str) -> None:
+        page.click("#stage .menu summary")
+        page.select_option("#quality", quality)
+        page.click("#stage-canvas")
+
+    want("automatic")
+    page.click("#play")
+    page.wait_for_selector("#stage-canvas[data-detail='coarse']")
+    page.click("#play")
+    page.wait_for_selector("#stage-canvas[data-detail='fine']")
+    want("high")
+    page.click("#play")
+    wait_until(page, "Number(document.querySelector('#stage-canvas').dataset.time) > 1")
+    assert page.get_attribute("#stage-canvas", "data-detail") == "fine"
+    page.click("#play")
+    want("low")
+    page.wait_for_selector("#stage-canvas[data-detail='coarse']")
+    assert page.evaluate("localStorage.getItem('understudy-quality')") == "low"

@@ -75,7 +75,7 @@ class Shown {
   constructor(canvas, store, service) {
     this.#canvas = canvas;
     this.#store = store;
-    this.#place = makePlace(canvas);
+    this.#place = makePlace(canvas, store);
     this.#cast = new Cast(this.#place.scene, new Bodies(service));
     this.#place.controls.addEventListener("change", () => (this.#isStale = true));
     this.#aim();

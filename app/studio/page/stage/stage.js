@@ -23,6 +23,7 @@ import { CHARACTERS, COMPARED_NAME, GUESTS, rolesOf, SCREEN, VIEWING } from "./v
 
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
+/** @import { Size } from "./picturing.js" */
 
 const EYES_M = 1.55;
 const WRISTS = Object.freeze(["leftHand", "rightHand"]);
@@ -41,7 +42,7 @@ export function mountStage(element, store, service) {
   store.watch(VIEWING, (viewing) => (safe.hidden = !viewing.safe));
   element.append(el("div", { class: "screen" }, [canvas, safe, stage.tags.element]), controls, audio);
   mountTransport(controls, store);
-  store.set(SCREEN, { canvas, audio, draw: () => stage.draw(), fix: (size) => stage.fix(size) });
+  store.set(SCREEN, { canvas, audio, draw: () => stage.picture(), fix: (size) => stage.fix(size) });
   runFrames(new Clock(store, audio), stage);
 }
 
@@ -79,7 +80,7 @@ class Stage {
   constructor(canvas, store, service) {
     this.#canvas = canvas;
     this.#store = store;
-    this.#place = makePlace(canvas);
+    this.#place = makePlace(canvas, store);
     const bodies = new Bodies(service);
     this.#cast = new Cast(this.#place.scene, bodies);
     this.#drawings = new MotionDrawings(this.#place.scene, bodies);
@@ -97,12 +98,13 @@ class Stage {
     this.#aim();
   }
 
-  /** @param {import("./scene.js").Size | null} size of pictures; null for that of the stage */
+  /** @param {Size | null} size of pictures; null for that of the stage */
   fix(size) {
     this.#place.fix(size);
   }
 
-  draw() {
+  /** @param {() => void} [drawn] draws the place: `picture` draws it finely */
+  draw(drawn = this.#place.draw) {
     const isResized = this.#place.fit();
     if (isResized && !this.#isOrbited) {
       this.#aim();
@@ -111,9 +113,13 @@ class Stage {
       this.#isStale = false;
       this.#pose();
       this.#pointOut();
-      this.#place.draw();
+      drawn();
       this.#tell();
     }
+  }
+
+  picture() {
+    this.draw(this.#place.picture);
   }
 
   #pose() {

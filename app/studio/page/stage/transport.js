@@ -6,13 +6,16 @@ import { ChangeProject } from "../state/change_project.js";
 import { PERFORMED, PLAYBACK, TIME_S } from "../state/performed.js";
 import { PROJECT } from "../state/project.js";
 import { SHOTS } from "./cameras.js";
+import { keepQuality, keptQuality, QUALITIES, QUALITY } from "./detail.js";
 import { FRAME_S, followPlayingKeys, pauseWhereUnseen, stepBy, togglePlaying, wholeLine } from "./playing_keys.js";
 import { LISTENER, VIEWING } from "./viewing.js";
 
 /** @import { Store } from "../state/store.js" */
 /** @import { Shot } from "./cameras.js" */
+/** @import { Quality } from "./detail.js" */
 /** @import { Listening } from "./viewing.js" */
 
+const QUALITY_TITLE = "Automatic draws everything where that is quick; where it is not, what moves is coarser and all is drawn at rest";
 const SPEEDS = ["0.25", "0.5", "1", "1.5", "2"];
 
 /**
@@ -20,6 +23,7 @@ const SPEEDS = ["0.25", "0.5", "1", "1.5", "2"];
  * @param {Store} store
  */
 export function mountTransport(element, store) {
+  store.set(QUALITY, keptQuality());
   element.append(playButton(store), ...stepButtons(store), clockFace(store), loopButton(store), ...choices(store));
   followPlayingKeys(store);
   pauseWhereUnseen(store);
@@ -69,7 +73,10 @@ function choices(store) {
   store.watch(VIEWING, (viewing) => ([shot.value, listening.value] = [viewing.shot, viewing.listening]));
   store.watch(PLAYBACK, (playback) => (speed.value = String(Math.abs(playback.speed))));
   [speed.id, shot.id, listening.id] = ["speed", "shot", "listening"];
-  const drawn = [drawing(store, "trail", "Wrist paths"), drawing(store, "onion", "Onion skin"), drawing(store, "safe", "Safe frame"), labelled("Speed", speed)];
+  const quality = choice(QUALITIES, store.get(QUALITY), (value) => keepQuality(store, /** @type {Quality} */ (value)));
+  quality.id = "quality";
+  quality.title = QUALITY_TITLE;
+  const drawn = [drawing(store, "trail", "Wrist paths"), drawing(store, "onion", "Onion skin"), drawing(store, "safe", "Safe frame"), labelled("Speed", speed), labelled("Quality", quality)];
   const menu = el("details", { class: "menu" }, [el("summary", {}, ["View"]), el("div", { class: "floating" }, drawn)]);
   document.addEventListener("pointerdown", ({ target }) => target instanceof Node && !menu.contains(target) && (menu.open = false));
   menu.addEventListener("keydown", ({ key }) => key === "Escape" && (menu.open = false));

@@ -6,7 +6,7 @@ import { OPPOSITE_M } from "./cameras.js";
 /** @import { PerformedLine } from "../state/performed.js" */
 /** @import { Shot } from "./cameras.js" */
 /** @import { Role } from "./figure.js" */
-/** @import { Size } from "./scene.js" */
+/** @import { Size } from "./picturing.js" */
 /** @import { Vector } from "understudy-client" */
 
 /** Where a listener is seen: not at all, opposite the speaker, or alone. @typedef {"none" | "beside" | "instead"} Listening */

@@ -53,7 +53,7 @@ export function mountTableRead(element, store, service) {
  */
 function mountRoom(element, store, bodies) {
   const canvas = el("canvas", { id: "table-read-canvas", tabindex: 0, role: "img", "aria-label": "The scene" });
-  const place = makePlace(canvas);
+  const place = makePlace(canvas, store);
   const room = /** @type {Room} */ ({ reading: null });
   const script = scriptOf(store, room);
   const failed = (/** @type {unknown} */ error) => store.set(PROBLEM, problemOf(error));
