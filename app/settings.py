@@ -7,8 +7,7 @@ from types import MappingProxyType
 from typing import Literal
 
 import psutil
-from pydantic import Field, SecretStr, ValidationError, field_validator
-from pydantic_settings import BaseSettings, SettingsConfigDict
+from pydantic import BaseModel, ConfigDict, Field, SecretStr, ValidationError, field_validator, model_validator
 
 from .authored_folders import layers_of
 from .errors import InputError, did_you_mean
@@ -58,10 +57,11 @@ _REMOVED: Mapping[str, str] = MappingProxyType(
 """Settings of former versions, and what to do instead."""
 
 
-class Settings(BaseSettings):
-    """Limits and places. The limits hold for the command line and the service alike."""
+class Settings(BaseModel):
+    """Limits and places; the limits hold for the command line and the service alike. Fields that are not given are read
+    from the environment."""
 
-    model_config = SettingsConfigDict(env_prefix=PREFIX, frozen=True, extra="ignore")
+    model_config = ConfigDict(defer_build=True, frozen=True, extra="ignore")
 
     max_audio_s: float = Field(default=120.0, gt=0, description="longest audio accepted, seconds")
     max_audio_bytes: int = Field(default=32 * 1024 * 1024, gt=0, description="largest audio file accepted, bytes")
@@ -180,6 +180,13 @@ class Settings(BaseSettings):
     rate_per_minute: int = Field(
         default=0, ge=0, description="requests for work a minute from one address, 429 beyond; 0 for any number"
     )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _from_environment(cls, given: dict[str, object]) -> dict[str, object]:
+        names = {name.lower(): value for name, value in os.environ.items()}
+        found = {field: names.get(f"{PREFIX}{field}".lower()) for field in cls.model_fields}
+        return {field: value for field, value in found.items() if value is not None} | given
 
     @field_validator("part_bytes")
     @classmethod

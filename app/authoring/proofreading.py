@@ -152,6 +152,7 @@ def check_files_in_use() -> None:
         partial(load_rigs, lexicon / "retarget", Skeleton.standing()),
     ) or mistakes_of(
         lambda: check_coverage(lexicon, load_gestures()),
+        lambda: MovementStyle.load(lexicon / "movement.yaml", load_gestures().categories),
         lambda: _check_terms(lexicon / "acting" / "terms.yaml"),
         *(partial(check_profile, file) for file in sorted((lexicon / "profiles").glob("*.yaml"))),
     )

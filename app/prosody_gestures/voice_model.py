@@ -1,17 +1,11 @@
 """The voice-driven gesture model: one semi-Markov model over discriminants of the prosody for each of hands, head and
 brows, in one .npz file without pickles.
 
-Linear discriminant analysis (Fisher): the mixtures with diagonal covariance are fitted to its projections.
-
-AHG §3.4 uses the first two principal components, which ignore the states; discriminants separate the states and are
-uncorrelated within them, as diagonal mixtures assume.
-
 Viterbi decoding of a complete recording (RTS §2.3, AHG §3.6).
 """
 
 import io
 import zipfile
-from collections.abc import Sequence
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
@@ -22,16 +16,14 @@ import numpy as np
 from ..errors import InputError, ServiceError
 from ..files import replace_file
 from ..model import FloatArray
-from .estimation import CountSmoothing, MixtureOptions, count, fit_mixtures
 from .prosody import WIDTH, features, in_context, raw_frames
-from .semi_markov import IntArray, MixtureEmissions, Segment, SemiMarkovModel, states_by_frame
+from .semi_markov import MixtureEmissions, Segment, SemiMarkovModel
 from .trellis import EVERYTHING, Search, Trellis
 
 LONGEST_S = 5.0
 """D_max of AHG; RTS has 10 s."""
 
 LONGEST_FRAMES = 200
-MIXTURES = MixtureOptions(components=3)
 
 _DISCRIMINANTS = ("mean", "scale", "weights")
 _EMISSIONS = ("log_weights", "means", "variances")
@@ -98,20 +90,6 @@ class VoiceModel:
         return {part.part: decode(part.model, part.log_likelihoods(rows), search) for part in self.parts}
 
 
-def learn_part(
-    part: str, states: tuple[str, ...], examples: Sequence[tuple[FloatArray, Sequence[Segment]]]
-) -> PartModel:
-    """Trains a part on prosody with context (frames × `WIDTH`) and its labelled segments."""
-    rows = np.concatenate([example for example, _ in examples])
-    kinds = np.concatenate([states_by_frame(path) for _, path in examples])
-    discriminants = fit_discriminants(rows, kinds)
-    projected = discriminants.project(rows)
-    emissions = fit_mixtures([projected[kinds == state] for state in range(len(states))], MIXTURES)
-    counts = count([path for _, path in examples], len(states), LONGEST_FRAMES, CountSmoothing())
-    model = SemiMarkovModel(states, counts.log_initial, counts.log_transition, counts.log_duration, emissions)
-    return PartModel(part, discriminants, model)
-
-
 def _arrays(part: PartModel) -> dict[str, FloatArray]:
     emissions = part.model.emissions
     assert isinstance(emissions, MixtureEmissions), "shipped models observe features"
@@ -132,28 +110,6 @@ def _read(arrays: dict[str, FloatArray], part: str) -> PartModel:
         Discriminants(mean, scale, weights),
         SemiMarkovModel(states, initial, transition, duration, emissions),
     )
-
-
-RIDGE = 1e-3
-"""Added to the within-state variances of the standardised features."""
-
-
-def fit_discriminants(rows: FloatArray, states: IntArray) -> Discriminants:
-    """Fits one direction fewer than there are states, the most discriminative first, to rows (frames × features)."""
-    mean, scale = rows.mean(axis=0), rows.std(axis=0) + 1e-9
-    standard = (rows - mean) / scale
-    kinds = np.unique(states)
-    within = RIDGE * np.eye(rows.shape[1])
-    between = np.zeros_like(within)
-    for kind in kinds:
-        own = standard[states == kind]
-        centred = own - own.mean(axis=0)
-        within += centred.T @ centred / len(rows)
-        between += len(own) / len(rows) * np.outer(own.mean(axis=0), own.mean(axis=0))
-    sizes, axes = np.linalg.eigh(within)
-    whitening = axes / np.sqrt(sizes)
-    order = np.linalg.eigh(whitening.T @ between @ whitening)[1][:, ::-1]
-    return Discriminants(mean, scale, whitening @ order[:, : max(1, len(kinds) - 1)])
 
 
 def decode(model: SemiMarkovModel, log_likelihoods: FloatArray, search: Search = EVERYTHING) -> tuple[Segment, ...]:

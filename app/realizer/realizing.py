@@ -102,7 +102,8 @@ class Realizer:
         cls, library: Library, lexicon: Path, figures: Mapping[str, Figure] = MappingProxyType({})
     ) -> "Realizer":
         """The same with gestures that are loaded already."""
-        style = MovementStyle.load(lexicon / "movement.yaml")
+        style = MovementStyle.load(lexicon / "movement.yaml", library.categories)
+        library = library.with_waves(style.strokes.waving)
         average = RealizedCharacter.of(PLAIN, library, style)
         return cls(
             average=average,

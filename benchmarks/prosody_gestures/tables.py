@@ -25,6 +25,7 @@ from types import MappingProxyType
 
 import numpy as np
 
+from training.prosody_gestures.parts import learn_part
 from training.prosody_gestures.performed import SYNC_POINTS
 from training.prosody_gestures.performed_lines import read_performed
 from understudy.library.motion_models import Learning, read_pairs
@@ -45,7 +46,7 @@ from understudy.prosody_gestures.semi_markov import (
     states_by_frame,
 )
 from understudy.prosody_gestures.trellis import EVERYTHING, Search
-from understudy.prosody_gestures.voice_model import decode, learn_part
+from understudy.prosody_gestures.voice_model import decode
 
 THEIRS = MappingProxyType(
     {

@@ -1,9 +1,9 @@
 """The gestures of the library look no more alike from far away than they did when the sheets were last looked at."""
 
+from benchmarks.realizer.gestures.likeness import likenesses
 from benchmarks.realizer.gestures.silhouettes import mean_different_things, stroke_poses
 from understudy.model import Level
 from understudy.models import load_realizer
-from understudy.realizer.pictures.silhouettes import likenesses
 
 PAIRS, TWINS = 362, 41
 """Pairs of different meaning that look alike at the stroke's end, and of these those from its start on: of 497 gestures

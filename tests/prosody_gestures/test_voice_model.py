@@ -11,6 +11,7 @@ from sklearn.discriminant_analysis import LinearDiscriminantAnalysis
 
 from tests.prosody_gestures.models import LABELS, drawn_likelihoods, drawn_model, log_shares, three_frames_at_least
 from tests.prosody_gestures.test_prosody import spoken
+from training.prosody_gestures.parts import fit_discriminants, learn_part
 from understudy.errors import InputError, ServiceError
 from understudy.files import resource_folder
 from understudy.model import FloatArray
@@ -24,7 +25,7 @@ from understudy.prosody_gestures.semi_markov import (
     states_by_frame,
 )
 from understudy.prosody_gestures.trellis import Search
-from understudy.prosody_gestures.voice_model import VoiceModel, decode, fit_discriminants, learn_part
+from understudy.prosody_gestures.voice_model import VoiceModel, decode
 
 SHIPPED = resource_folder("models") / "prosody_gestures" / "voice.npz"
 

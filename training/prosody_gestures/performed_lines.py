@@ -12,7 +12,9 @@ import numpy as np
 from understudy.model import Channel, FloatArray
 from understudy.prosody_gestures.prosody import features, in_context, raw_frames
 from understudy.prosody_gestures.semi_markov import FRAME_S, IntArray, Segment, segments_of
-from understudy.prosody_gestures.voice_model import PartModel, VoiceModel, learn_part
+from understudy.prosody_gestures.voice_model import PartModel, VoiceModel
+
+from .parts import learn_part
 
 HANDS = ("rest", "preparation", "stroke", "hold", "retraction")
 HEAD = ("still", "nod", "shake", "tilt", "turn")

@@ -51,7 +51,7 @@ def is_own_page(origin: str, host: str | None, allowed: Collection[str]) -> bool
 
 
 def _name(host: str | None) -> str:
-    """Without its port, in lower case; IPv6 keeps its brackets. Empty for what is no name."""
+    """Without its port, in lower case; IPv6 keeps its brackets. Empty if it is not a name."""
     host = (host or "").lower()
     if host.startswith("["):
         name, closed, port = host.partition("]")

@@ -4,7 +4,7 @@ The classes are the schema of the file as well, whose comments explain the keys.
 does no more than its schedule asks: every amount is 0.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from math import inf
 from pathlib import Path
@@ -12,6 +12,7 @@ from typing import Annotated, ClassVar, Literal, TypeAlias
 
 from pydantic import AfterValidator, ConfigDict, Field
 
+from ...errors import AuthoringError, did_you_mean
 from ...model.figure import Figure, GestureManner, Sex, Wait
 from ...yaml_files import Entry, Source
 
@@ -83,6 +84,7 @@ class Strokes:
     wind_up: tuple[Factor, Factor, Factor] = (1.0, 1.0, 1.0)
     longest_m: tuple[Reach, Reach, Reach] = (0.0, 0.0, 0.0)
     unhurried: tuple[str, ...] = ()
+    waving: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -264,9 +266,14 @@ class MovementStyle:
         return self.sexes.get(figure.physique.sex, SexStyle())
 
     @classmethod
-    def load(cls, path: Path) -> "MovementStyle":
-        """The style of a file; raises AuthoringError with every mistake at its place."""
-        file = Source(path).validated(_MovementFile)
+    def load(cls, path: Path, categories: Collection[str] = ()) -> "MovementStyle":
+        """The style of a file, for the gestures of these categories, by default any; raises AuthoringError with every
+        mistake at its place."""
+        source = Source(path)
+        file = source.validated(_MovementFile)
+        mistakes = [source.mistake(*each) for each in _unknown_gestures(file, categories)] if categories else []
+        if mistakes:
+            raise AuthoringError(tuple(mistakes))
         return cls(**{each.name: getattr(file, each.name) for each in fields(cls)})
 
 
@@ -284,6 +291,16 @@ class _MovementFile(Entry):
     ends: Ends
     variants: dict[str, LevelVariants]
     sexes: dict[Sex, SexStyle]
+
+
+def _unknown_gestures(file: _MovementFile, categories: Collection[str]) -> Iterator[tuple[tuple[str | int, ...], str]]:
+    """The places that name a gesture which is none of these categories, each with what is wrong."""
+    named: dict[tuple[str | int, ...], str] = {("variants", name): name for name in file.variants}
+    for key in ("unhurried", "waving"):
+        named |= {("strokes", key, place): name for place, name in enumerate(getattr(file.strokes, key))}
+    for place, name in named.items():
+        if name not in categories:
+            yield place, f"no gesture is called {name!r}{did_you_mean(name, categories)}"
 
 
 PLAIN = MovementStyle()

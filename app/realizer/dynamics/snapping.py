@@ -20,7 +20,6 @@ from ..gestures.brief_strokes import in_less_time
 from ..gestures.gesture import ArmKey, Clip, Markers, TrackForm
 from ..gestures.gesture_plan import PlacedGesture
 from ..gestures.gesture_space import sector_m
-from ..gestures.waves import waves
 
 _LEAST_TENSION = 0.75
 _LEAST_S = 0.17
@@ -74,7 +73,7 @@ def _lasting(placed: PlacedGesture, length_s: float, most_m_s: float) -> PlacedG
 
 def _to_and_fro(clip: Clip) -> bool:
     """Whether the arm circles or waves during the stroke."""
-    return waves(clip) or any(track.form is TrackForm.CIRCLING for track in clip.tracks)
+    return clip.waves or any(track.form is TrackForm.CIRCLING for track in clip.tracks)
 
 
 def _is_close(placed: PlacedGesture) -> bool:

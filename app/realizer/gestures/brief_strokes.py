@@ -1,20 +1,19 @@
-"""Gestures made smaller and shorter where there is no time for the whole stroke.
+"""Clips changed for a performance: made brief where there is no time for the whole stroke, and in the voice's manner.
 
 The paper does not time-warp strokes and drops a gesture that has no time (§3.8). People whose ideas crowd make less of
 each: here a brief stroke begins nearer to where it ends and is no faster, so that hands have no more to do than
-in a whole one. How much is left is in `understudy.model.limits`, by which schedules are made.
+in a whole one. How much is left is in `understudy.model.limits`, by which schedules are made. A waving hand
+(lexicon/movement.yaml) would no longer wave then: its stroke is shortened by whole swings, which follow in the hold.
 
-A gesture's clip in the manner of the voice: faster or slower, and more or less tense.
-
-Speed shortens or lengthens the stroke and what goes before and after it alike; tension makes the stroke stop sharply
-(power) and its path through the keys less smooth (Gesture Engine §5.2). How big it is made is the request's size.
+In a manner, speed shortens or lengthens the stroke and what goes before and after it alike; tension makes the stroke
+stop sharply (power) and its path through the keys less smooth (Gesture Engine §5.2). The size is the request's.
 """
 
 from dataclasses import replace
 
 from ...model import Hand, Manner
 from ...model.limits import brief_share
-from .gesture import ArmKey, Clip, ClipKey, Expressivity, Markers, SectorPlace
+from .gesture import ArmKey, Clip, ClipKey, Expressivity, FrameType, Markers, SectorPlace
 from .gesture_space import sector_m
 
 
@@ -61,6 +60,28 @@ def _nearer(arm: ArmKey | None, end: SectorPlace | None, share: float) -> ArmKey
         return arm
     x_m, y_m, z_m = end.offset_m + share * (sector_m(arm.place) - sector_m(end))
     return replace(arm, place=replace(end, offset_m=(float(x_m), float(y_m), float(z_m))))
+
+
+def last_swing(clip: Clip) -> Clip:
+    """A wave that begins with its last swing, with the hand raised."""
+    marks = clip.markers
+    turn = [key for key in clip.keys if marks.stroke_start < key.time_s < marks.stroke_end][-1]
+    since_s = turn.time_s - marks.stroke_start
+    first = next((key for key in clip.keys if key.type is FrameType.STROKE_START), turn)
+    left, right = _shaped_as(first.left, turn.left), _shaped_as(first.right, turn.right)
+    begins = ClipKey(marks.stroke_start, FrameType.STROKE_START, left, right, noise=turn.noise, curve=turn.curve)
+    before = (key for key in clip.keys if key.time_s < marks.stroke_start)
+    after = (replace(key, time_s=key.time_s - since_s) for key in clip.keys if key.time_s > turn.time_s)
+    ends = {name: getattr(marks, name) - since_s for name in ("stroke_end", "relax", "end")}
+    markers = replace(marks, stroke=max(marks.stroke_start, marks.stroke - since_s), **ends)
+    return replace(clip, keys=(*before, begins, *after), markers=markers)
+
+
+def _shaped_as(first: ArmKey | None, later: ArmKey | None) -> ArmKey | None:
+    """The later key of an arm with the hand of the first, which it does not say again."""
+    if first is None or later is None or later.hand is not None:
+        return later
+    return replace(later, hand=first.hand, fingers=first.fingers)
 
 
 def mannered(clip: Clip, manner: Manner) -> Clip:

@@ -219,7 +219,8 @@ class OffsetTrack:
 class Definition:
     """A gesture as defined in a file. `categories` are the BML lexemes that it shows; `levels` its expressivity at each
     level of agitation that it suits; `hand` None is either hand alone; `aimed` hands point at the target by inverse
-    kinematics. `tracks` are added to what the frames make. `manner` is that of the character whose gesture it is."""
+    kinematics. `tracks` are added to what the frames make. `manner` is that of the character whose gesture it is. The
+    stroke of one that `waves` may swing to and fro."""
 
     gesture_class: str
     name: str
@@ -233,6 +234,7 @@ class Definition:
     path: Path | None = None
     line: int = 1
     manner: GestureManner = PLAIN_MANNER
+    waves: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -265,8 +267,8 @@ class Clip:
     """A playable gesture: a definition at one level of agitation, made by one hand or both.
 
     `stroke_speed_m_s` is the mean speed of the leading hand from `stroke_start` to `stroke_end` (paper §3.8, v). Space
-    and pace of the `manner` are in `expressivity` and in the times already. A `cut_wave` has the last swing of a wave
-    only (`waves`).
+    and pace of the `manner` are in `expressivity` and in the times already. The stroke of one that `waves` swings to
+    and fro.
     """
 
     name: str
@@ -280,4 +282,4 @@ class Clip:
     aimed: bool = False
     tracks: tuple[OffsetTrack, ...] = ()
     manner: GestureManner = PLAIN_MANNER
-    cut_wave: bool = False
+    waves: bool = False

@@ -33,6 +33,9 @@ from .statements import GestureFile, LocatedMistake, mistake_in
 EMPHASIS = 0.61
 """Where speakers put the emphasis within a stroke, as a share of its duration (docs/references.md)."""
 
+LEAST_TURNS = 2
+"""Frames inside the stroke of a wave, at which the hand turns back; a stroke that goes one way in an arc has one."""
+
 LEADING = Hand.RIGHT
 """The leading hand of a two-handed gesture, whose keys come first in its file."""
 
@@ -56,7 +59,12 @@ def clip(definition: Definition, level: Level, hand: Hand, category: str) -> Cli
         aimed=definition.aimed,
         tracks=definition.tracks,
         manner=definition.manner,
+        waves=definition.waves and _turns(definition.frames, markers) >= LEAST_TURNS,
     )
+
+
+def _turns(frames: Sequence[Frame], markers: Markers) -> int:
+    return sum(markers.stroke_start < frame.time < markers.stroke_end for frame in frames)
 
 
 def _in_manner(expressivity: Expressivity, manner: GestureManner) -> Expressivity:
@@ -155,6 +163,11 @@ class Library:
         space a gesture takes, how fast it is, and how elbow and wrist are held: here each character has its own.
         """
         return Library.of((replace(one, manner=manner) for one in self.definitions), self.aliases)
+
+    def with_waves(self, categories: Collection[str]) -> "Library":
+        """The same gestures, of which those of these categories wave."""
+        waving = {one.name for category in categories for one in self.by_category.get(category, ())}
+        return Library.of((replace(one, waves=one.name in waving) for one in self.definitions), self.aliases)
 
     @property
     def categories(self) -> tuple[str, ...]:

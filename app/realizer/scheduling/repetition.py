@@ -17,7 +17,6 @@ from ...model import Hand
 from ...model.limits import shortest_transition_s
 from ..body.movement_style import Holds
 from ..gestures.gesture_plan import ArmGesture, PlacedGesture, Repeat
-from ..gestures.waves import waves
 from .transitions import TransitionContext, stroke_speed_m_s, transition_s, way_m
 
 AMPLITUDES = (0.6, 0.4, 0.25)
@@ -46,7 +45,7 @@ def with_repeats(placed: PlacedGesture, emphases_s: Iterable[float], until_s: fl
     asked_s = placed.request.after_strokes_s
     if asked_s is not None:
         repeats = tuple(_asked(placed, asked_s, until_s))
-    elif waves(placed.clip):
+    elif placed.clip.waves:
         repeats = tuple(_waved(placed, until_s))
     else:
         repeats = tuple(_repeats(placed, sorted(emphases_s), until_s))
@@ -126,7 +125,7 @@ def _times(times_s: Iterable[float]) -> str:
 def repeats_until_s(placed: PlacedGesture, later: Iterable[PlacedGesture], setting: TransitionContext) -> float:
     """How long a gesture may be repeated: until the end of its phrase, unless its strokes are asked for or it waves, or
     until an arm leaves for its next gesture."""
-    whole = placed.request.after_strokes_s is not None or waves(placed.clip)
+    whole = placed.request.after_strokes_s is not None or placed.clip.waves
     phrase = None if whole else setting.phrase_of(placed.request.stroke_s)
     ends_s = [inf if phrase is None else setting.phrases[phrase].end_s]
     following = list(later)
@@ -140,7 +139,7 @@ def repeats_until_s(placed: PlacedGesture, later: Iterable[PlacedGesture], setti
 def _way_on_s(placed: PlacedGesture, second: PlacedGesture, side: Hand) -> float:
     """The time in which an arm goes on to its next gesture: in no haste, but after a wave, which is nothing without its
     swings."""
-    if waves(placed.clip):
+    if placed.clip.waves:
         return shortest_transition_s(way_m(placed, second, side), stroke_speed_m_s(second))
     return transition_s(placed, second, side)
 

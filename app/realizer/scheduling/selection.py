@@ -19,10 +19,9 @@ import numpy as np
 from ...model import Behavior, Channel, Hand, Level, Schedule, SyncPoints
 from ...model.limits import LATEST_S, is_brief, size_of
 from ..body.motion import Decision
-from ..gestures.brief_strokes import brief, mannered
+from ..gestures.brief_strokes import brief, last_swing, mannered
 from ..gestures.gesture import Clip
 from ..gestures.gesture_plan import USUAL_MANNER, AskedTimes, GestureRequest, PlacedGesture
-from ..gestures.waves import last_swing, waves
 
 _ROUNDING_S = 0.002
 """A stroke that is before the first frame by no more is not late: times of schedules are whole milliseconds."""
@@ -100,7 +99,7 @@ def in_the_time(clip: Clip, request: GestureRequest) -> Clip:
     stroke_s = clip.markers.stroke_end - clip.markers.stroke_start
     if not is_brief(stroke_s, request.longest_stroke_s):
         return clip
-    return last_swing(clip) if waves(clip) else brief(clip)
+    return last_swing(clip) if clip.waves else brief(clip)
 
 
 def fits(clip: Clip, request: GestureRequest) -> bool:

@@ -3,7 +3,7 @@
     python -m benchmarks.realizer.gestures.silhouettes [--level LEVEL] [--output SHEET.png] [--record]
 
 Gestures mean the same if they share a category, or a family of lexicon/acting/families.yaml; what looks alike is in
-`understudy.realizer.pictures.silhouettes`. The sheet needs matplotlib (`understudy[plot]`).
+`likeness.py`. The sheet needs matplotlib (`understudy[plot]`).
 """
 
 import argparse
@@ -14,12 +14,12 @@ from pathlib import Path
 import yaml
 
 from benchmarks.figures import add_record_option, record
+from benchmarks.realizer.gestures.likeness import Likeness, StrokePose, draw_silhouettes, likenesses, stroke_pose
 from understudy.files import resource_folder
 from understudy.model import Hand, Level
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.gestures.gesture import Definition
 from understudy.realizer.gestures.library import Library, clip
-from understudy.realizer.pictures.silhouettes import Likeness, StrokePose, draw_silhouettes, likenesses, stroke_pose
 
 LEXICON = resource_folder("lexicon")
 

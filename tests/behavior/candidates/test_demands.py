@@ -70,7 +70,7 @@ def test_what_is_demanded_is_shown_though_nothing_else_speaks_for_it(understudy:
     found = shown(understudy, "The train to Oxford leaves at nine.", Direction(demands=(demand,)))
     (wave,) = [each for each in found if each.lexeme == "DISMISS"]
     assert (wave.first, wave.last) == (0, 0)
-    assert wave.decided_by[0].name == "always, by the note always[0]"
+    assert wave.decided_by[0].name == "required by the note always[0]"
 
 
 @pytest.mark.parametrize("choice", ["terms", "priority"])

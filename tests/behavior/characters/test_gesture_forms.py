@@ -43,7 +43,7 @@ def test_a_stroke_that_would_come_far_too_late_is_told_with_what_would_help() ->
     (gesture,) = (each for each in behaviors if each.kind is Channel.GESTURE)
     assert not gesture.kept
     assert gesture.reason == (
-        "its stroke would come 0.75 s after its word: there is too little time before it; a lead-in would help"
+        "its stroke would come 0.75 s after its word: there is too little time before it; add a lead-in"
     )
 
 

@@ -34,7 +34,7 @@ def test_what_is_forbidden_names_who_forbade_it(understudy: Understudy) -> None:
     direction = Direction(demands=(Demand("gesture_negation", 0, 11, always=False, by="the note never[0]"),))
     behaviors = perform_analysis(understudy, spoken(understudy, LINE), Options(), direction).behaviors
     (told, *_) = [each for each in behaviors if each.lexeme == "NEGATION" and not each.kept]
-    assert (told.limit, told.reason) == ("never", "never, by the note never[0]")
+    assert (told.limit, told.reason) == ("never", "excluded by the note never[0]")
 
 
 def test_a_function_is_named_only_where_its_rule_had_a_part(understudy: Understudy) -> None:

@@ -198,8 +198,8 @@ def test_a_rule_of_more_than_the_usual_weight_moves_the_head(understudy: Underst
     surplus = WEIGHT_SCALE * math.log(1000) - USUAL_SUPPORT
     assert great.margin("nod", 4, 7) - usual.margin("nod", 4, 7) == pytest.approx(surplus, abs=0.4)
     assert great.margin("tilt", 4, 7) == usual.margin("tilt", 4, 7)
-    assert "rule own, more than usual" in {term.name for term in great.parts("nod", 5)}
-    assert "rule own, more than usual" not in {term.name for term in usual.parts("nod", 5)}
+    assert "rule own, above average" in {term.name for term in great.parts("nod", 5)}
+    assert "rule own, above average" not in {term.name for term in usual.parts("nod", 5)}
 
 
 def test_seed_0_is_the_best_take_and_others_are_drawn_near_it(understudy: Understudy) -> None:

@@ -6,6 +6,7 @@ import pytest
 
 from understudy.errors import AuthoringError
 from understudy.files import resource_folder
+from understudy.models import load_gestures
 from understudy.realizer.body.movement_style import PLAIN, MovementStyle
 
 IN_USE = resource_folder("lexicon") / "movement.yaml"
@@ -30,6 +31,18 @@ def test_every_mistake_has_its_place(tmp_path: Path) -> None:
         MovementStyle.load(file)
     places = {text.splitlines()[mistake.line - 1].strip().split(":")[0] for mistake in caught.value.mistakes}
     assert {"follow", "lag_s"} <= places
+
+
+def test_gestures_that_are_named_must_be_in_the_library(tmp_path: Path) -> None:
+    file = tmp_path / "movement.yaml"
+    file.write_text(IN_USE.read_text().replace("[GREETING, FAREWELL]", "[GREETING, FARWELL]"))
+    library = load_gestures()
+    assert MovementStyle.load(IN_USE, library.categories) == MovementStyle.load(IN_USE)
+    with pytest.raises(AuthoringError) as caught:
+        MovementStyle.load(file, library.categories)
+    (mistake,) = caught.value.mistakes
+    assert "FARWELL" in mistake.source_line
+    assert "did you mean 'FAREWELL'" in mistake.message
 
 
 def test_without_a_file_nothing_is_added() -> None:

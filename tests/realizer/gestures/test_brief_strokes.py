@@ -8,9 +8,9 @@ import pytest
 from tests.support.motion.gesture_clips import clip
 from understudy.model import Hand, Level, Manner
 from understudy.model.limits import brief_share
-from understudy.models import load_gestures
+from understudy.models import load_gestures, load_realizer
 from understudy.realizer.arms.wrist_paths import relax_m, stroke_end_m, stroke_start_m
-from understudy.realizer.gestures.brief_strokes import brief, mannered
+from understudy.realizer.gestures.brief_strokes import brief, last_swing, mannered
 from understudy.realizer.gestures.gesture import Clip, Markers
 from understudy.realizer.gestures.gesture_plan import GestureRequest, PlacedGesture
 
@@ -71,3 +71,38 @@ def test_tension_gives_power_and_takes_fluidity_within_bounds() -> None:
     assert tense.fluidity < usual.fluidity < lax.fluidity
     assert mannered(clip(), Manner(tension=9)).expressivity.fluidity >= 0
     assert mannered(clip(), Manner(tension=9)).expressivity.power == 1
+
+
+WAVING = ("GREETING", "FAREWELL")
+
+
+@pytest.mark.parametrize("category", WAVING)
+def test_of_a_raised_hand_the_last_swing_is_whole_and_still_a_wave(category: str) -> None:
+    for wave in load_realizer().library.clips(category, Level.MEDIUM, Hand.RIGHT):
+        assert wave.waves
+        swing, marks = last_swing(wave), wave.markers
+        assert swing.waves
+        assert swing.markers.stroke_start == marks.stroke_start
+        assert swing.markers.stroke_end - swing.markers.stroke_start < 0.5 * (marks.stroke_end - marks.stroke_start)
+        assert swing.markers.stroke_start <= swing.markers.stroke <= swing.markers.stroke_end
+        turns = [key for key in wave.keys if key.time_s < marks.stroke_end]
+        begins = next(key for key in swing.keys if key.time_s == marks.stroke_start)
+        assert begins.right is not None
+        assert turns[-1].right is not None
+        assert begins.right.place == turns[-1].right.place
+        assert begins.right.hand is not None
+
+
+def test_two_open_arms_do_not_wave() -> None:
+    assert not any(each.waves for each in load_realizer().library.clips("GREETING", Level.MEDIUM, Hand.BOTH))
+
+
+def test_only_what_movement_yaml_lists_waves() -> None:
+    library = load_realizer().library
+    assert {
+        each.category
+        for category in library.categories
+        for each in library.clips(category, Level.MEDIUM, Hand.RIGHT)
+        if each.waves
+    } == set(WAVING)
+    assert not any(each.waves for each in library.with_waves(()).clips("GREETING", Level.MEDIUM, Hand.RIGHT))

@@ -14,13 +14,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...model import FloatArray, Hand
-from ..body.motion import SHAPES
-from ..body.skeleton import Skeleton, forward
-from ..geometry.rotations import rotate
-from ..gestures.gesture import Clip, HandForm
-from ..mannequin.mannequin import Mannequin, posed
-from .contact_sheet import (
+from understudy.model import FloatArray, Hand
+from understudy.realizer.body.motion import SHAPES
+from understudy.realizer.body.skeleton import Skeleton, forward
+from understudy.realizer.geometry.rotations import rotate
+from understudy.realizer.gestures.gesture import Clip, HandForm
+from understudy.realizer.mannequin.mannequin import Mannequin, posed
+from understudy.realizer.pictures.contact_sheet import (
     BACKGROUND,
     BODY_HEIGHT,
     CAPTION_HEIGHT,
@@ -31,8 +31,8 @@ from .contact_sheet import (
     display,
     draw_cells,
 )
-from .gesture_sheet import KeyPose, key_poses
-from .rasterizer import ColouredMesh, draw, joined
+from understudy.realizer.pictures.gesture_sheet import KeyPose, key_poses
+from understudy.realizer.pictures.rasterizer import ColouredMesh, draw, joined
 
 NEAR_M, NEAR_DEG = 0.15, 40.0
 

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from benchmarks.realizer.gestures.likeness import HandsPose, StrokePose, draw_silhouettes, likenesses, stroke_pose
 from understudy.model import FloatArray, Hand, Level
 from understudy.models import load_realizer
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.gestures.gesture import HandForm
-from understudy.realizer.pictures.silhouettes import HandsPose, StrokePose, draw_silhouettes, likenesses, stroke_pose
 
 DOWN: FloatArray = np.array([0.0, -1.0, 0.0])
 
