@@ -21,7 +21,7 @@ def varied(placed: PlacedGesture, variants: Mapping[str, LevelVariants]) -> Plac
     """The variant of the gesture for its level of agitation."""
     clip = placed.clip
     found = variants.get(clip.category)
-    if found is None or placed.request.slots or clip.aimed:
+    if found is None or placed.placed_by_words:
         return placed
     variant = {Level.LOW: found.low, Level.MEDIUM: found.medium, Level.HIGH: found.high}[clip.level]
     if not any(variant.offset_m) and not variant.hand:

@@ -108,7 +108,7 @@ def lifted(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
     """The gesture raised or lowered a little by its level of agitation, unless it is at the head or shows a place."""
     clip, up_m = placed.clip, strokes.lift_m[_LEVELS.index(placed.clip.level)]
     ends_m = [stroke_end_m(placed, side) for side in placed.arms]
-    if not up_m or placed.request.slots or clip.aimed or max(float(end_m[1]) for end_m in ends_m) > _HIGHEST_M:
+    if not up_m or placed.placed_by_words or max(float(end_m[1]) for end_m in ends_m) > _HIGHEST_M:
         return placed
     keys = tuple(replace(key, left=_raised(key.left, up_m), right=_raised(key.right, up_m)) for key in clip.keys)
     return replace(placed, clip=replace(clip, keys=keys))
@@ -126,7 +126,7 @@ def wound_up(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
     draws back before it strikes, the farther the bigger the voice makes the gesture."""
     clip = placed.clip
     ends_m = {side: stroke_end_m(placed, side) for side in placed.arms}
-    free = not (placed.request.slots or clip.aimed) and max(end_m[1] for end_m in ends_m.values()) <= _HIGHEST_M
+    free = not placed.placed_by_words and max(end_m[1] for end_m in ends_m.values()) <= _HIGHEST_M
     way_m = max(distance_m(stroke_start_m(placed, side), end_m) for side, end_m in ends_m.items())
     level = _LEVELS.index(clip.level)
     stroke_s = clip.markers.stroke_end - clip.markers.stroke_start

@@ -106,6 +106,11 @@ class PlacedGesture:
         return self.share < 1.0
 
     @property
+    def placed_by_words(self) -> bool:
+        """Whether its words or its script say where its hands are, which is not changed."""
+        return bool(self.request.slots or self.request.way or self.clip.aimed)
+
+    @property
     def offset_s(self) -> float:
         """The absolute time of the clip's own time 0."""
         return self.request.stroke_s - self.clip.markers.stroke

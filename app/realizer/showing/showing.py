@@ -10,7 +10,7 @@ from dataclasses import replace
 from types import MappingProxyType
 
 from ...model import Hand
-from ...model.slots import Slots
+from ...model.slots import Distance, Slots
 from ..arms.wrist_paths import amplitude, stroke_end_m
 from ..body.motion import Decision
 from ..gestures.gesture import Clip, HandForm
@@ -22,7 +22,14 @@ from .sectors import led, led_decisions
 NUMBERS = ("COUNT_ONE", "COUNT_TWO", "COUNT_THREE", "COUNT_FOUR", "COUNT_FIVE")
 COUNTING = frozenset({"COUNT", "COUNT_FIRST", "COUNT_NEXT", *NUMBERS})
 PLACES = MappingProxyType(
-    {"HERE": "THERE", "UP": "THERE", "DOWN": "THERE", "LEFT": "POINT_LEFT", "RIGHT": "POINT_RIGHT"}
+    {
+        "HERE": "THERE",
+        "UP": "THERE",
+        "DOWN": "THERE",
+        "CENTER": "THERE",
+        "LEFT": "POINT_LEFT",
+        "RIGHT": "POINT_RIGHT",
+    }
 )
 """What shows a place, where the words say what or where it is, by the gesture that points at it."""
 
@@ -45,13 +52,16 @@ def category_shown(request: GestureRequest) -> tuple[str, Hand]:
         return _sized(slots.size_m, lexeme, hand)
     if slots.count is not None and lexeme in COUNTING:
         return (NUMBERS[slots.count - 1], one_hand) if slots.count <= len(NUMBERS) else (NUMBERS[-1], Hand.BOTH)
-    if lexeme in PLACES and request.target is None and _is_somewhere(slots):
+    if lexeme in PLACES and request.target is None and _is_somewhere(lexeme, slots):
         return PLACES[lexeme], one_hand
     return lexeme, hand
 
 
-def _is_somewhere(slots: Slots) -> bool:
-    """Whether the words name a thing, or say both how far away and how high something is: "up there"."""
+def _is_somewhere(lexeme: str, slots: Slots) -> bool:
+    """Whether the words name a thing, or say both how far away and how high something is: "up there". What is in the
+    middle is elsewhere only where they say that it is far."""
+    if lexeme == "CENTER" and slots.distance is not Distance.FAR:
+        return False
     return slots.referent is not None or (slots.distance is not None and slots.elevation_deg is not None)
 
 

@@ -127,6 +127,16 @@ def test_contrasted_places_are_apart_and_a_thing_stays_in_its_place(realizer: Re
     assert abs(first - again) <= 20.0
 
 
+def test_what_is_far_is_pointed_at_though_its_lexeme_is_of_the_middle(realizer: Realizer) -> None:
+    """ "The spears go on this wall, the shields over there." """
+    wall, shields = Slots(which=Which.THIS, referent="wall"), Slots(distance=Distance.FAR, referent="shield")
+    asked = gesture("HERE", wall, 1.2), gesture("CENTER", shields, 2.9, Hand.BOTH)
+    found = shown(realizer, *asked)
+    ways = [found.index_finger("right", found.at_end(each)) for each in asked]
+    first, second = (np.degrees(np.arctan2(way[0], way[2])) for way in ways)
+    assert abs(first - second) >= 50.0
+
+
 @pytest.mark.parametrize("hand", [Hand.LEFT, Hand.RIGHT])
 def test_what_is_put_on_either_side_is_apart(realizer: Realizer, hand: Hand) -> None:
     left = gesture("PLACE_LEFT", Slots(side=Side.LEFT), 1.4, hand)
