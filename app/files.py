@@ -1,7 +1,7 @@
-"""Files: where those are that belong to the code, and how one is written whole.
+"""Finds the data files that ship with the code, and replaces files atomically.
 
-In a checkout the files that belong to the code are beside the package, in a wheel inside it. Of a file that is written,
-readers see the old content or the new, never a part, and a killed process leaves the old one.
+In a checkout the data files are beside the package, in a wheel inside it. While a file is replaced, readers see either
+its old content or the new, and a killed process leaves the old one.
 """
 
 import os

@@ -23,7 +23,7 @@ from ..yaml_files import Entry, Source
 from .chaining.facts import normalized_word
 
 _HYPHENATED = re.compile(r"\w+(-\w+)+$")
-"""One word of several parts, which mean nothing by themselves: "uh-huh" is no "uh"."""
+"""One word of several parts, which mean nothing by themselves: "uh-huh" is not "uh"."""
 
 CLOSING_MARKS = tuple(",.?!;:")
 GAP = "..."

@@ -1,8 +1,8 @@
-"""How likely listeners mark each word of a recording as emphasised, judged by a network taught by crowds of them.
+"""How likely listeners mark each word of a recording as emphasised, by a network trained on crowdsourced judgements.
 
 The network is that of `emphases` (Morrison et al. 2024, "Crowdsourced and automatic speech prominence estimation"; MIT
 licence), unchanged: it hears 80 Mel bands of the recording and judges its words and the silences between them. It was
-taught on read American English. On words of TIMIT it agrees far better with what speakers accent than syllables'
+trained on read American English. On words of TIMIT it agrees far better with what speakers accent than syllables'
 prominence does, the two together better still (`benchmarks/acoustic/prominence.py`); of single syllables it knows
 little.
 """

@@ -46,8 +46,8 @@ STEPS = 20
 """The chunks of each half of it, .075 s each."""
 
 IDLE_S = 1.0
-"""A nursery that takes the place of one that died forks at once, for jobs and streams wait, and warms up when nothing
-has been asked of it for so long. Its first workers load for themselves what is loaded lazily."""
+"""A nursery that replaces one that died forks at once, since jobs and streams are waiting, and warms up after it has
+been idle for this long. Its first workers do their own lazy loading."""
 
 
 def main(control: socket.socket) -> None:
@@ -76,8 +76,8 @@ def main(control: socket.socket) -> None:
 
 
 def _obey(control: socket.socket, models: LiveModels, turns: int, idle_s: float | None = None) -> LiveModels:
-    """Forks and reloads on request, until nothing was asked for so many seconds; the models then. `turns` is the file
-    by which streams take turns. Raises EOFError when the socket closes."""
+    """Forks and reloads on request; returns the models after `idle_s` without a request. `turns` is the file by which
+    streams take turns. Raises EOFError when the socket closes."""
     while select.select([control], [], [], idle_s)[0]:
         message, _, descriptors = receive(control)
         if isinstance(message, Reload):

@@ -136,7 +136,7 @@ def of_row(row: tuple[Any, ...]) -> ManifestEntry:
 
 FILE = "manifest.sqlite"
 VERSION = 1
-"""The version of the file's tables, its `user_version`; files of before it was written have 0, and the same tables."""
+"""The version of the file's tables, its `user_version`; older files have 0, and the same tables."""
 
 _LOCK = ".lock"
 
@@ -241,7 +241,7 @@ def _locked(folder: Path) -> sqlite3.Connection:
 
 @contextmanager
 def _told(folder: Path) -> Iterator[None]:
-    """Tells SQLite's errors as what they are to people: a full disk is no broken manifest."""
+    """Translates SQLite's errors: a full disk, for instance, is not a broken manifest."""
     try:
         yield
     except (sqlite3.Error, TypeError, ValueError) as error:

@@ -221,7 +221,8 @@ def _score(
 def _near(
     offer: BehaviorCandidates, waiting: Mapping[int, Mapping[int, BehaviorCandidates]]
 ) -> Sequence[BehaviorCandidates]:
-    """Those that wait, by their first word and their turn, and may need the hands at the same time; by their turns."""
+    """The offers that may need the hands at the same time, in order of their turns; `waiting` has them by their first
+    word and their turn."""
     first = offer.rank[1]
     words = range(first - NEAR_WORDS, first + NEAR_WORDS + 1)
     near = {turn: each for word in words for turn, each in waiting.get(word, {}).items()}

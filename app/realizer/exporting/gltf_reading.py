@@ -1,10 +1,10 @@
-"""Reads glTF files: what is read of an avatar's JSON tree (glTF 2.0 §5; VRM 1.0 and VRM 0's bone tables) and what it
-may contain; and what turns the nodes: the rotations of its animations and the bind pose of its skins.
+"""Reads glTF files: the parts of an avatar's JSON tree that are used (glTF 2.0 §5; VRM 1.0 and VRM 0's bone tables),
+the rotations of its animations and the bind pose of its skins.
 
-The file may come from anywhere. Numbers of nodes, meshes, views are whole and not negative; that they exist is checked
-with the tree (`understudy.realizer.avatars.reading`), and every number of an accessor, view and node is checked before
-it is used (`_Numbers`). All that is not read here may be anything and is passed on as it is. Quaternions x y z w,
-seconds. Of animations rotations alone are read, since translations do not change a joint's angles.
+Files are untrusted. Indices of nodes, meshes and views are non-negative integers; that they exist is checked with the
+tree (`understudy.realizer.avatars.reading`), and every number of an accessor, view and node before it is used
+(`_Numbers`). Other content is not checked and is passed on unchanged. Quaternions x y z w, seconds. Only rotations of
+animations are read, since translations do not change a joint's angles.
 """
 
 from collections.abc import Iterator, Mapping

@@ -65,7 +65,7 @@ def draw(mesh: ColouredMesh, camera: Camera, *, height: int, width: int, ground:
 
 
 def _averaged(places: IntArray, light: NDArray[np.float32], height: int, width: int, ground: FloatArray) -> FloatArray:
-    """The picture of which the samples at `places` (N,) have this `light` (N, 3), and all others the ground's."""
+    """The picture whose samples at `places` (N,) have this `light` (N, 3); all other samples have the ground's."""
     down, across = np.divmod(places, width * SAMPLES)
     pixels = down // SAMPLES * width + across // SAMPLES
     bare = SAMPLES**2 - np.bincount(pixels, minlength=height * width)
@@ -133,7 +133,7 @@ class _Samples:
 
 
 def _nearest(covered: _Samples, depths: NDArray[np.float32]) -> _Samples:
-    """Of the samples at one place that of the nearest triangle, whose corners have these depths (F, 3)."""
+    """At each place the sample of the nearest triangle; `depths` (F, 3) are those of the triangles' corners."""
     order = np.argsort(_layer(covered.between(depths)), kind="stable")
     on_top = np.full(covered.places.max(initial=0) + 1, -1, dtype=np.int64)
     on_top[covered.places[order]] = order
