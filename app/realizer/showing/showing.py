@@ -7,6 +7,7 @@ as a decision.
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
+from math import atan2, degrees
 from types import MappingProxyType
 
 from ...model import Hand
@@ -36,6 +37,7 @@ PLACES = MappingProxyType(
 _MOMENT_S = 0.001
 _HIGH_M = 1.25
 """Above the elbow, where a palm that shows a height comes from below."""
+_ACROSS_DEG = 15.0
 _LONG_M = 0.4
 """From here on a size is shown by hands that part, below by hands that meet."""
 
@@ -100,10 +102,17 @@ def showing(placed: PlacedGesture, aims_m: Mapping[str, Position]) -> PlacedGest
 def _pointing(placed: PlacedGesture, slots: Slots, aim_m: Position) -> PlacedGesture:
     """The gesture whose hand goes out from before the body to the line on which it points, as far from there as it has
     time for."""
-    clip = stretched(placed.clip, amplitude(placed)) if points_far(slots) else placed.clip
+    far = points_far(slots) or _is_across(placed, aim_m)
+    clip = stretched(placed.clip, amplitude(placed)) if far else placed.clip
     aimed = replace(placed, clip=clip, aim_m=aim_m, aimed_from_s=clip.markers.stroke_start + _MOMENT_S)
     ends_m = {side: stroke_end_m(aimed, side) for side in aimed.arms}
     return replace(aimed, clip=begun_in_time(clip, ends_m, amplitude(placed)))
+
+
+def _is_across(placed: PlacedGesture, aim_m: Position) -> bool:
+    """Whether a hand points to the other side of the body, where a bent arm lies before the chest and shows nothing."""
+    to_the_left_deg = degrees(atan2(aim_m[0], aim_m[2]))
+    return abs(to_the_left_deg) > _ACROSS_DEG and (to_the_left_deg > 0) is (placed.clip.hand is Hand.RIGHT)
 
 
 def finger_first(clips: tuple[Clip, ...], request: GestureRequest) -> tuple[Clip, ...]:
