@@ -1,6 +1,8 @@
 """`GET /`, and what the studio page loads: from `/studio/…` its own files and the bundled example, for which nobody
 needs a key; from `/opened/…` the line that `understudy studio` opens, for which the page sends the user's key.
 
+The page carries its style, so that it is painted before anything else has come.
+
 The page names its files under `/studio/VERSION/…`, which is another path as soon as one of them changes: a browser
 keeps what it got there, and asks for none of some two hundred files on its next visit. Otherwise files are sent with an
 ETag, by which a browser that has them asks whether they are the same. They are compressed to whoever takes that. The
@@ -48,10 +50,12 @@ _OWN_FILES = b"./studio/"
 """How the page begins the paths of its files."""
 _VERSION = re.compile(r"[0-9a-f]{16}/")
 _IMPORT_MAP = re.compile(rb'<script type="importmap">(.*?)</script>', re.DOTALL)
+_STYLE = re.compile(rb"<style>(.*?)</style>", re.DOTALL)
+_SHEETS = re.compile(rb'(?:\s*<link rel="stylesheet" href="\./studio/[^"]+" />)+')
+_SHEET = re.compile(rb'href="\./studio/([^"]+)"')
 _SOURCES = MappingProxyType(
     {
         "default-src": "'none'",
-        "style-src": "'self'",
         "img-src": "'self' data: blob:",
         "media-src": "'self' blob:",
         "connect-src": "'self' blob:",
@@ -92,7 +96,7 @@ def page_router(opened: OpenedLine | OpenedScene | None = None) -> APIRouter:
         """The page."""
         version = _version()
         named.add(version)
-        page = _packed((FOLDER / "index.html").read_bytes().replace(_OWN_FILES, _OWN_FILES + version.encode()))
+        page = _page(version)
         policy = {"Content-Security-Policy": content_policy(page.content)}
         return _sent(request, page, ".html", {**_REVALIDATED, **policy})
 
@@ -131,6 +135,19 @@ def _add_opened(router: APIRouter, opened: OpenedLine | OpenedScene | None) -> N
         return FileResponse(file)
 
 
+@lru_cache(maxsize=1)
+def _page(version: str) -> _Asset:
+    """The page with its style, and with the paths of a version."""
+    page = _SHEETS.sub(_inlined, (FOLDER / "index.html").read_bytes())
+    return _packed(page.replace(_OWN_FILES, _OWN_FILES + version.encode()))
+
+
+def _inlined(sheets: re.Match[bytes]) -> bytes:
+    """Style sheets as one that is in the page."""
+    style = b"".join((FOLDER / name.decode()).read_bytes() for name in _SHEET.findall(sheets[0]))
+    return b"<style>" + style + b"</style>"
+
+
 def _version() -> str:
     """A folder named by what is in the page's files."""
     files = sorted(file for file in FOLDER.rglob("*") if file.suffix in MEDIA_TYPES)
@@ -146,9 +163,15 @@ def _line(opened: OpenedLine | OpenedScene | None) -> OpenedLine:
 
 def content_policy(page: bytes) -> str:
     """What browsers let `page` do: run the service's own scripts and its import map, and ask nobody else."""
-    maps = [base64.b64encode(hashlib.sha256(found).digest()).decode() for found in _IMPORT_MAP.findall(page)]
-    scripts = " ".join(["'self'", *(f"'sha256-{found}'" for found in maps)])
-    return "; ".join(f"{name} {sources}" for name, sources in {**_SOURCES, "script-src": scripts}.items())
+    told = {"script-src": _hashes(_IMPORT_MAP, page), "style-src": _hashes(_STYLE, page)}
+    own = {name: " ".join(["'self'", *hashes]) for name, hashes in told.items()}
+    return "; ".join(f"{name} {sources}" for name, sources in {**_SOURCES, **own}.items())
+
+
+def _hashes(inline: re.Pattern[bytes], page: bytes) -> list[str]:
+    """What a policy calls the parts of a page that are let in by their content."""
+    digests = [base64.b64encode(hashlib.sha256(found).digest()).decode() for found in inline.findall(page)]
+    return [f"'sha256-{digest}'" for digest in digests]
 
 
 def _file_at(path: str) -> Path:

@@ -30,7 +30,7 @@ def test_the_page_loads_its_own_files_alone() -> None:
     shown = _client().get("/")
     assert shown.headers["content-type"].startswith("text/html")
     loaded = re.findall(r'(?:src|href|": ")="?\.?/?([^"]+)"', shown.text)
-    assert "//" not in shown.text
+    assert "//" not in shown.text.replace("http://www.w3.org/2000/svg", "")
     for path in (name for name in loaded if name != "data:,"):
         assert _client().get(f"/{path}").status_code == 200
 
@@ -38,11 +38,13 @@ def test_the_page_loads_its_own_files_alone() -> None:
 def test_the_policy_lets_in_the_pages_import_map_and_nothing_from_elsewhere() -> None:
     answer = _client().get("/")
     policy = answer.headers["content-security-policy"]
-    (found,) = re.findall(r'<script type="importmap">(.*?)</script>', answer.text, re.DOTALL)
-    digest = base64.b64encode(hashlib.sha256(found.encode()).digest()).decode()
-    assert f"script-src 'self' 'sha256-{digest}'" in policy
+    hashes = {}
+    for name, inline in {"script": r'<script type="importmap">(.*?)</script>', "style": "<style>(.*?)</style>"}.items():
+        (found,) = re.findall(inline, answer.text, re.DOTALL)
+        hashes[name] = f"'sha256-{base64.b64encode(hashlib.sha256(found.encode()).digest()).decode()}'"
+        assert f"{name}-src 'self' {hashes[name]}" in policy
     sources = {source for directive in policy.split("; ") for source in directive.split()[1:]}
-    assert sources == {"'none'", "'self'", "data:", "blob:", f"'sha256-{digest}'"}
+    assert sources == {"'none'", "'self'", "data:", "blob:", *hashes.values()}
     assert "sha256" not in content_policy(b"<p>no map</p>")
 
 
@@ -141,3 +143,12 @@ def test_it_can_be_left_out() -> None:
 
 def test_the_page_weighs_less_than_it_may() -> None:
     assert sum(file.stat().st_size for file in Path(pages.FOLDER).rglob("*") if file.is_file()) < LARGEST_BYTES
+
+
+def test_the_page_carries_its_style() -> None:
+    shown = _client().get("/").text
+    assert 'rel="stylesheet"' not in shown
+    sheets = (pages.FOLDER / "index.html").read_text().count('rel="stylesheet"')
+    (style,) = re.findall("<style>(.*?)</style>", shown, re.DOTALL)
+    assert sheets > 1
+    assert all(sheet.read_text() in style for sheet in (pages.FOLDER / "style").glob("*.css"))

@@ -59,6 +59,26 @@ def test_lines_that_were_worked_on_are_opened_from_the_start_page(opened: Page) 
     expect(opened.locator("#stage-canvas")).to_be_visible()
 
 
+CHANGED_AND_LEFT = """
+() => {
+  const [seed, written] = [document.querySelector("#seed"), document.querySelector("#written")];
+  seed.value = "8";
+  seed.dispatchEvent(new Event("change"));
+  written.value = "No!";
+  document.querySelector("#perform-written").click();
+}
+"""
+
+
+def test_a_change_is_kept_where_another_line_is_opened_at_once(opened: Page) -> None:
+    opened.evaluate(CHANGED_AND_LEFT)
+    expect(opened.locator("#text")).to_have_value("No!")
+    expect(opened.locator("#saved")).to_have_text("Saved")
+    opened.goto("/")
+    opened.click("#recent button.open:has-text('example.flac')")
+    expect(opened.locator("#seed")).to_have_value("8")
+
+
 def test_a_file_that_no_line_has_a_use_for_is_told_where_it_belongs(page: Page, tmp_path: Path) -> None:
     page.goto("/")
     wrong = tmp_path / "words.yaml"

@@ -22,25 +22,38 @@ export const SAVING = slice(/** @type {Saving} */ ("same"));
 /** @param {Store} store */
 export function keepSaved(store) {
   let timer = 0;
-  let kept = "";
-  const save = () => {
+  let [kept, waiting] = ["", ""];
+  const save = (/** @type {string} */ id) => {
     clearTimeout(timer);
-    kept = store.get(OPENED).id;
-    return saveNow(store);
+    [kept, waiting] = [id, ""];
+    return saveNow(store, id);
   };
   const changed = () => {
     clearTimeout(timer);
+    waiting = "";
     // What was kept once is kept again as it was before, when everything is undone.
     const isChanged = store.get(PROJECT).audio !== null && (isOther(store) || kept === store.get(OPENED).id);
     store.set(SAVING, isChanged ? "unsaved" : "same");
     if (isChanged) {
-      timer = window.setTimeout(() => void save(), QUIET_MS);
+      const { id } = store.get(OPENED);
+      waiting = id;
+      timer = window.setTimeout(() => void save(id), QUIET_MS);
     }
   };
   for (const of of [PROJECT, TAKES]) {
     store.watch(/** @type {typeof PROJECT} */ (of), changed);
   }
-  document.addEventListener("visibilitychange", () => store.get(SAVING) === "unsaved" && void save());
+  // Another line is opened before its project is there: what waits is kept while it still can be.
+  store.watch(OPENED, () => waiting && void save(waiting));
+  beforeLeaving(store, () => void save(store.get(OPENED).id));
+}
+
+/**
+ * @param {Store} store
+ * @param {() => void} save
+ */
+function beforeLeaving(store, save) {
+  document.addEventListener("visibilitychange", () => store.get(SAVING) === "unsaved" && save());
   addEventListener("beforeunload", (event) => {
     if (mayBeLost(store.get(SAVING))) {
       event.preventDefault();
@@ -64,11 +77,13 @@ function isOther(store) {
   return kept === null || JSON.stringify(now) !== JSON.stringify([draftOf(kept.project), kept.takes]);
 }
 
-/** @param {Store} store */
-async function saveNow(store) {
+/**
+ * @param {Store} store
+ * @param {string} id of the line
+ */
+async function saveNow(store, id) {
   const { audio } = store.get(PROJECT);
   const draft = draftOf(store.get(PROJECT));
-  const { id } = store.get(OPENED);
   if (!audio) {
     return;
   }
@@ -77,7 +92,9 @@ async function saveNow(store) {
   try {
     await keep({ id, audio, draft, takes: store.get(TAKES), saved_ms });
     await keepVersion({ project: id, draft, label, saved_ms });
-    sessionStorage.setItem(LAST, JSON.stringify({ id, at: location.search }));
+    if (id === store.get(OPENED).id) {
+      sessionStorage.setItem(LAST, JSON.stringify({ id, at: location.search }));
+    }
     tell(store, draft, "saved");
   } catch {
     // The page says so, asks before it goes, and saves again at the next change.
