@@ -211,7 +211,7 @@ def test_an_overlay_changes_the_schedule() -> None:
 
 @pytest.mark.parametrize("seed", range(2))
 def test_everything_possible_at_once_still_makes_a_schedule(seed: int) -> None:
-    names = sorted(CHARACTERS.behavior_names)
+    names = sorted(CHARACTERS.behavior_names)[seed::2]
     candidates = [
         replace(movement(name, number % 12, priority=number % 7), function=f"f{number}")
         for number, name in enumerate(names)
