@@ -4,6 +4,7 @@ import csv
 import json
 import shutil
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ import soundfile
 
 import understudy
 from understudy.batch.batch import Nobody, run_batch
+from understudy.batch.manifest.hashes import installation_hash
 from understudy.batch.manifest.store import ManifestEntry, State
 from understudy.batch.request import BatchRequest
 from understudy.batch.work.formats import LineFormat
@@ -56,8 +58,13 @@ class Batch:
         return {path.name: path.read_bytes() for path in files if path.suffix in {".bml", ".json", ".csv", ".html"}}
 
 
+hashed_once = cache(installation_hash)
+"""No test changes what is installed, 50 MB of models among it."""
+
+
 @pytest.fixture
-def batch(tmp_path: Path, understudy: Understudy) -> Batch:
+def batch(tmp_path: Path, understudy: Understudy, monkeypatch: pytest.MonkeyPatch) -> Batch:
+    monkeypatch.setattr("understudy.batch.batch.installation_hash", hashed_once)
     return Batch(tmp_path, understudy)
 
 
