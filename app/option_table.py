@@ -146,7 +146,7 @@ PERFORMANCE = _table(
         Option("mode", "source of gestures: meaning, stress or chance", default=Mode.SEMANTIC, choices=tuple(Mode)),
         Option(
             "listener",
-            "name of a listener, with its character after = if that is called otherwise",
+            "name of a listener, with =CHARACTER if its character has another name",
             default=(),
             metavar="NAME[=CHARACTER]",
             command_help="; the listener's BML goes to OUT.NAME.bml (.xml for OUT.xml); repeatable",

@@ -18,7 +18,9 @@ def add_batch(add: Adding) -> None:
         "--audio", metavar="DIR", required=True, help="the folder of recordings, or the one recording of all lines"
     )
     parser.add_argument("--out", metavar="DIR", required=True, help="the output folder; a repeated run continues there")
-    parser.add_argument("--format", metavar="NAME", action="append", default=[], help=f"repeatable: {FORMATS_HELP}")
+    parser.add_argument(
+        "--format", metavar="NAME", action="append", default=[], help=f"output format, repeatable: {FORMATS_HELP}"
+    )
     parser.add_argument("--layout", metavar="PATTERN", help='names of outputs (default "{id}.{ext}")')
     _add_joining(parser)
     _add_running(parser)
@@ -35,7 +37,7 @@ def _add_joining(parser: argparse.ArgumentParser) -> None:
         metavar="FIELD=HEADING",
         action="append",
         default=[],
-        help="the heading of a column whose name is not usual: id, text, character, recording, …; repeatable",
+        help="the heading of a column with an unusual name: id, text, character, recording, …; repeatable",
     )
     parser.add_argument(
         "--sheet",
@@ -64,7 +66,7 @@ def _add_casting(parser: argparse.ArgumentParser) -> None:
         "--partners",
         choices=("scene", "none"),
         default="scene",
-        help="the default listeners: those who speak next to a line in its scene (default), or nobody",
+        help="default listeners: those who speak before and after a line in its scene (default), or nobody",
     )
     parser.add_argument(
         "--voices",
@@ -75,14 +77,18 @@ def _add_casting(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_running(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--workers", metavar="N", type=int, help="processes (default: as many as processors)")
+    parser.add_argument("--workers", metavar="N", type=int, help="number of processes (default: one a processor)")
     engine = parser.add_mutually_exclusive_group()
-    engine.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="the workers of a dask cluster instead")
-    engine.add_argument("--service", metavar="URL", help="an understudy service instead; N lines are posted at a time")
-    parser.add_argument(
-        "--shared-files", action="store_true", help="the cluster's workers see the same folders: nothing is sent"
+    engine.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="use the workers of a dask cluster instead")
+    engine.add_argument(
+        "--service", metavar="URL", help="use an understudy service instead; N lines are posted at a time"
     )
-    parser.add_argument("--dry-run", action="store_true", help="dry run: report what would be done and what is missing")
+    parser.add_argument(
+        "--shared-files", action="store_true", help="the cluster's workers see the same folders, so no files are sent"
+    )
+    parser.add_argument(
+        "--dry-run", action="store_true", help="report what would be done and what is missing, without doing it"
+    )
     parser.add_argument(
         "--thumbnails",
         metavar="N",

@@ -16,7 +16,7 @@ def add_rules(add: Adding) -> None:
     check.add_argument("--watch", action="store_true", help="check again whenever they are saved, until interrupted")
     listing = add_action("list", "list them")
     listing.add_argument("--json", action="store_true", help="as JSON")
-    explain = add_action("explain", "what one of them does")
+    explain = add_action("explain", "explain a rule, a behaviour, a word or a phrase")
     explain.add_argument("name", metavar="NAME", help="a rule, a behaviour, a word or a phrase")
     trace = add_action("trace", "which rules fire on a text, which nearly do, and what they lack")
     trace.add_argument("--text", required=True, help="the words")
@@ -33,12 +33,17 @@ def add_gestures(add: Adding) -> None:
     check.add_argument("paths", metavar="PATH", nargs="*", help="files or folders (default: the library in use)")
     listing = add_action("list", "list them")
     listing.add_argument("--json", action="store_true", help="as JSON")
-    show = add_action("show", "how one of them is written, and its times at each level of agitation")
+    show = add_action("show", "how a gesture is written, and its times at each level of agitation")
     show.add_argument("name", metavar="NAME", help="a gesture, a category, or a .gesture file")
-    render = add_action("render", "draw the key poses of one of them")
+    render = add_action("render", "draw the key poses of a gesture")
     render.add_argument("name", metavar="NAME", type=InputFile, help="a gesture, a category, or a .gesture file")
     add_output(render, "SHEET.png", "where the picture goes")
-    render.add_argument("--level", choices=[level.value for level in Level], default="medium", help="of agitation")
+    render.add_argument(
+        "--level",
+        choices=[level.value for level in Level],
+        default="medium",
+        help="level of agitation (default medium)",
+    )
     render.add_argument(
         "--hand", choices=[hand.value for hand in Hand], help="the hand that makes it (default: as written)"
     )
@@ -47,19 +52,21 @@ def add_gestures(add: Adding) -> None:
 def add_characters(add: Adding) -> None:
     add_action = actions_of(add("characters", "who can perform"))
     add_action("list", "list them")
-    show = add_action("show", "show how one of them moves and looks")
+    show = add_action("show", "show how a character moves and looks")
     show.add_argument("name", metavar="NAME")
-    render = add_action("render", "draw what they look like")
+    render = add_action("render", "draw the characters")
     render.add_argument("names", metavar="NAME", nargs="*", help="the characters to draw (default: all)")
     add_output(render, "FILE.png", "where the picture goes")
 
 
 def add_profiles(add: Adding) -> None:
     add_action = actions_of(add("profiles", "speakers' gesture profiles"))
-    learn = add_action("learn", "learn one from annotated recordings of a speaker")
+    learn = add_action("learn", "learn a profile from annotated recordings of a speaker")
     formats = ".anvil, .eaf, .TextGrid, .csv or .json (docs/profiles.md)"
     learn.add_argument("files", metavar="FILE", nargs="+", type=InputFile, help=formats)
-    learn.add_argument("--description", metavar="TEXT", default="", help="who it is, for profiles list")
+    learn.add_argument(
+        "--description", metavar="TEXT", default="", help="description of the speaker, for profiles list"
+    )
     add_output(learn, "P.yaml", "where the profile goes (default: standard output)", default=STANDARD)
     propose = add_action("propose", "a first annotation of a recorded motion, to be corrected in ELAN")
     propose.add_argument(
@@ -76,10 +83,12 @@ def add_profiles(add: Adding) -> None:
     mix = add_action("mix", "mix two profiles")
     profile = "a profile's name, or its .yaml file"
     mix.add_argument("profiles", metavar="PROFILE", nargs=2, type=InputFile, help=profile)
-    mix.add_argument("--share", metavar="0…1", type=float, default=0.5, help="of the second (default 0.5)")
+    mix.add_argument(
+        "--share", metavar="0…1", type=float, default=0.5, help="share of the second profile (default 0.5)"
+    )
     add_output(mix, "P.yaml", "where the profile goes (default: standard output)", default=STANDARD)
     add_action("list", "list them")
-    show = add_action("show", "what stands out in one of them")
+    show = add_action("show", "what is characteristic of a profile")
     show.add_argument("name", metavar="PROFILE", help=profile)
 
 
@@ -97,5 +106,5 @@ def add_motion_models(add: Adding) -> None:
     told = "one of S1 … S6 or RTS (default: all); repeatable"
     score.add_argument("--scenario", metavar="S1…S6", action="append", default=[], help=told)
     score.add_argument("--search", action="store_true", help="speed and similarity of RTS' searches too")
-    score.add_argument("--plot", metavar="FILE", type=OutputName, help="draw it beside the papers' figures, as PNG")
+    score.add_argument("--plot", metavar="FILE", type=OutputName, help="draw it next to the papers' figures, as PNG")
     add_output(score, "OUT.json", "also write the figures as JSON", default="")

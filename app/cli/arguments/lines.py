@@ -154,7 +154,7 @@ def add_analyses(add: Adding) -> None:
     agitation.add_argument("audio", metavar="AUDIO", type=InputFile, nargs="+", help=AUDIO_HELP)
     add_reference(agitation)
     add_agitation_model(agitation)
-    train = add("agitation train", "teach the classifier of agitation on your own actors' recordings")
+    train = add("agitation train", "train the classifier of agitation on your own actors' recordings")
     told = "a table with the columns file, speaker, agitation (low, medium, high), and perhaps emotion"
     train.add_argument("labels", metavar="LABELS.csv", type=InputFile, help=told)
     add_output(train, "MODEL", "where the model goes (.npz), for --agitation-model")

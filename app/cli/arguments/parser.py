@@ -144,8 +144,10 @@ def _add_make(make: argparse.ArgumentParser) -> None:
         "--profile",
         metavar="P",
         action="append",
-        help="of units: whose gestures, as in perform (default sweeping); of speakers twice (sparing, sweeping)",
+        help="gesture profile of --compare units (default sweeping); given twice, of speakers (sparing, sweeping)",
     )
-    make.add_argument("--motion-model", metavar="M", help="of ways and affect (default: the shipped one)")
+    make.add_argument(
+        "--motion-model", metavar="M", help="motion model of --compare ways and affect (default: the shipped one)"
+    )
     add_options(make, PERFORMANCE, "character")
     make.add_argument("--seed", type=int, default=0, help="random seed of gestures and orders (default 0)")
