@@ -63,7 +63,7 @@ from .speaker_profiles import (
 from .speech import expanded_in_rhemes, visemes
 from .timing.phases import with_manner
 
-QUANTITY = MappingProxyType({Level.LOW: 0.85, Level.MEDIUM: 1.0, Level.HIGH: 1.3})
+QUANTITY = MappingProxyType({Level.LOW: 0.8, Level.MEDIUM: 1.0, Level.HIGH: 1.4})
 """How many gestures are made at each level of agitation, relative to medium (paper §1). Heads and faces are not fewer
 where a voice is calm: directors name as many of them."""
 

@@ -32,8 +32,9 @@ import numpy as np
 
 from training.acting.directed import FAMILIES, DirectedLine, folds_of, gesture_choices, read_lines
 from training.acting.thresholds import read_readings
-from training.acting.weights import examples_of, fitted, lexeme_gains, price_of
-from understudy.behavior.reading.decoding import strokes, usual_times_s
+from training.acting.weights import examples_of, fitted, lexeme_worths, price_of
+from understudy.behavior.reading.decoding import usual_times_s
+from understudy.behavior.reading.strokes import strokes
 from understudy.bml.writing.writer import write_bml
 from understudy.model import Analysis, Channel, Line, Performance, SingleArray, Word
 from understudy.models import Understudy
@@ -164,14 +165,14 @@ def _planned(
     """The strokes of each test line with the families that their lexemes show, by weights fitted to other lines."""
     examples = examples_of(training, readings, terms)
     model = fitted(examples)
-    price = price_of(training, [gain for gain, _ in lexeme_gains(training, readings, model.worth(examples))])
+    price = price_of(training, [each for each, _ in lexeme_worths(training, readings, model.worth(examples))])
     worth = model.worth(examples_of(test, readings, terms, examples.names))
-    for line, (gain, shown) in zip(test, lexeme_gains(test, readings, worth), strict=True):
+    for line, (each, shown) in zip(test, lexeme_worths(test, readings, worth), strict=True):
         yield (
             line,
             [
-                (word, _families(shown[int(gain[word].argmax())]))
-                for word in strokes(gain, price, usual_times_s(len(gain)))
+                (stroke.word, _families(shown[int(each.of(stroke.window)[stroke.word].argmax())]))
+                for stroke in strokes(each, price, usual_times_s(len(each.stroke)))
             ],
         )
 

@@ -25,7 +25,7 @@ from unittest import mock
 
 from benchmarks.behavior.directing import gestures_of, load_score
 from understudy.behavior.candidates import attitudes
-from understudy.behavior.reading import decoding, planning, supports, worths
+from understudy.behavior.reading import planning, strokes, supports, worths
 from understudy.behavior.reading.encoder import WORDS_ALONE, Delivery, Encoder, Reading
 from understudy.behavior.stage import Performer, performer_of, plan_line
 from understudy.model import Channel, Moment, Performance
@@ -44,8 +44,10 @@ PLACES: Mapping[str, tuple[Any, ...]] = {
     "OTHER_SHARE": (worths,),
     "AT_WORD_SHARE": (planning,),
     "PACE_WEIGHT": (planning,),
-    "PLACE": (decoding,),
-    "PRECISE": (decoding,),
+    "PLACE": (strokes,),
+    "PRECISE": (strokes,),
+    "SHARE_POWER": (strokes,),
+    "UNPLACED": (strokes,),
     "PRIORITY_SCALE": (supports,),
     "WEIGHT_SCALE": (supports,),
     "WORDS_SHARE": (attitudes,),
@@ -59,6 +61,7 @@ STEPS: Mapping[str, tuple[float, ...]] = {
     "FOCUS_WEIGHT": (0.1, 0.2, 0.3, 0.4),
     "PLACE": (0.0, 0.15, 0.3, 0.45),
     "PRECISE": (0.0, 0.15, 0.3),
+    "SHARE_POWER": (0.25, 0.4, 0.5, 1.0),
     "AT_WORD_SHARE": (0.3, 0.5, 0.7),
     "WEIGHT_SCALE": (0.25, 0.5, 0.75),
     "PRIORITY_SCALE": (0.05, 0.1, 0.2),
@@ -69,7 +72,7 @@ LEAST_GAIN = 0.002
 FORBIDDEN_COSTS = 0.5
 FOLDS = 2
 
-TEMPERATURES, VARIETIES = (0.1, 0.14, 0.18, 0.22, 0.26), (4.0, 6.0)
+TEMPERATURES, VARIETIES = (0.18, 0.22, 0.26), (6.0, 8.0)
 SEEDS = 4
 CHANCE_COSTS = 0.02
 """F that takes may lose against the best one."""

@@ -24,9 +24,10 @@ from scipy.optimize import minimize
 from scipy.sparse import csr_matrix
 
 from understudy.behavior.reading.choice_model import log_odds_of
-from understudy.behavior.reading.decoding import gains, strokes, usual_times_s
+from understudy.behavior.reading.decoding import usual_times_s
 from understudy.behavior.reading.families import load_families
 from understudy.behavior.reading.planning import expected_worth
+from understudy.behavior.reading.strokes import Worth, strokes
 from understudy.behavior.reading.worths import lexeme_worth, shown_by_lexemes
 from understudy.behavior.table.behavior_table import load_table
 from understudy.files import resource_folder
@@ -116,12 +117,12 @@ def fitted(examples: Examples, penalty: float = PENALTY) -> Fitted:
     return unpacked(minimize(loss, start, jac=True, method="L-BFGS-B", options={"maxiter": 120}).x)
 
 
-def price_of(lines: Sequence[DirectedLine], gain: Sequence[SingleArray]) -> float:
+def price_of(lines: Sequence[DirectedLine], worths: Sequence[Worth]) -> float:
     """What a gesture must gain so that a line has `GESTURES_A_LINE` on average."""
     low, high = 0.01, 1.5
     for _ in range(10):
         middle = (low + high) / 2
-        taken = sum(len(strokes(each, middle, usual_times_s(len(each)))) for each in gain)
+        taken = sum(len(strokes(each, middle, usual_times_s(len(each.stroke)))) for each in worths)
         low, high = (middle, high) if taken > GESTURES_A_LINE * len(lines) else (low, middle)
     return round((low + high) / 2, 3)
 
@@ -133,7 +134,7 @@ def card(lines: Sequence[DirectedLine], readings: Mapping[str, SingleArray], exa
         "families": list(FAMILIES),
         "reading": round(model.reading, 4),
         "bias": {family: round(float(bias), 3) for family, bias in zip(FAMILIES, model.bias, strict=True)},
-        "price": price_of(lines, [gain for gain, _ in lexeme_gains(lines, readings, model.worth(examples))]),
+        "price": price_of(lines, [each for each, _ in lexeme_worths(lines, readings, model.worth(examples))]),
         "head": thresholds(lines, readings, "head"),
         "face": thresholds(lines, readings, "face"),
         "terms": {
@@ -147,10 +148,10 @@ def card(lines: Sequence[DirectedLine], readings: Mapping[str, SingleArray], exa
     }
 
 
-def lexeme_gains(
+def lexeme_worths(
     lines: Sequence[DirectedLine], readings: Mapping[str, SingleArray], worth: FloatArray
-) -> Iterator[tuple[SingleArray, SingleArray]]:
-    """What each lexeme on each word of each line gains (W, L), and how much each shows each family (L, F)."""
+) -> Iterator[tuple[Worth, SingleArray]]:
+    """What strokes on each line are worth, and how much each lexeme shows each family (L, F)."""
     lexicon = resource_folder("lexicon")
     families = load_families(lexicon / "acting" / "families.yaml", load_table(lexicon / "behaviors.yaml").lines)
     shown = shown_by_lexemes(families.shows, FAMILIES)
@@ -158,7 +159,7 @@ def lexeme_gains(
     count = len(FAMILIES)
     for line, own in zip(lines, np.split(worth.astype(np.float32), ends), strict=True):
         reading = readings[line.name]
-        yield gains(lexeme_worth(own, shown), reading[:, :count] @ shown.T, reading[:, 2 * count]), shown
+        yield Worth(lexeme_worth(own, shown), reading[:, :count] @ shown.T, reading[:, 2 * count]), shown
 
 
 def main() -> None:

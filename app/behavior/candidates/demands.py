@@ -11,9 +11,9 @@ from itertools import chain
 
 from ...errors import InputError, did_you_mean, shown
 from ...model import Alternative, BehaviorCandidates, Channel, Demand, Moment, Movement, Term
-from ..reading.decoding import STROKES_APART_S
 from ..reading.families import Families, Playable, family_rule
 from ..reading.player import Ban, Player
+from ..reading.strokes import STROKES_APART_S
 from ..reading.supports import Support
 from .vocabulary import ANYTHING, HANDS
 

@@ -15,9 +15,10 @@ from math import inf, log
 
 from ...model import Behavior, Channel, Interval, Moment, SyncPoints, Term, Word
 from ..candidates.planned import behaviors_of
-from ..reading.decoding import STROKES_APART_S, stretches_of
+from ..reading.decoding import stretches_of
 from ..reading.planning import Plan, Understood
 from ..reading.player import Player
+from ..reading.strokes import STROKES_APART_S
 from ..reading.supports import Support, supports_of
 
 NEVER, PRICE = "never", "price"

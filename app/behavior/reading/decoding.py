@@ -1,12 +1,9 @@
-"""Decides which moments are taken: the strokes with the highest total gain, and the head movements and faces of
-stretches.
+"""Decides which head movements and faces are made: those that are likely wanted over a stretch of the line.
 
-Worths are expected values in [0, 1] of shape (W, N): what a director would give for a gesture with its stroke on a
-word, N being families or lexemes. Strokes are spaced in seconds, so that slow talk is not starved and quick talk not
-crowded.
+Probabilities have the shape (W, K): how likely a director wants a kind of movement on a word. Which strokes are taken
+is decided in `strokes.py`.
 """
 
-from bisect import bisect_right
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -16,18 +13,6 @@ from ...model import SingleArray
 
 USUAL_WORD_S = 0.3
 """Seconds a word, with the pauses, where nothing was heard."""
-
-STROKES_APART_S = 1.0
-"""The least time from one stroke to the next: the hand has to come, show something and be seen."""
-
-NEAR = 2
-"""Words around a director's stroke within which a stroke still belongs to the same idea."""
-
-PLACE = 0.3
-"""The gain of a stroke where directors have any stroke, whatever its meaning, in addition to its worth."""
-
-PRECISE = 0.15
-"""The additional gain of a stroke on the very word, not only near it."""
 
 MOST_KINDS = 2
 """The most head movements, or faces, in one stretch."""
@@ -41,7 +26,6 @@ MOST_HELD = 16
 MOUTH = frozenset(("smile", "sad", "lips_pressed", "disgust"))
 """The kinds of face made with the mouth; the others are made with brows and lids."""
 
-_SLACK_S = 1e-6
 _SENTENCE_ENDS = ".!?…"
 
 _CONTRARY = (
@@ -67,32 +51,9 @@ class Span:
     stroke: int
 
 
-def gains(worth: SingleArray, at_word: SingleArray, stroke: SingleArray) -> SingleArray:
-    """The gain of each of N on each word, before its price: its worth (W, N), more if it is wanted on the very word (W,
-    N), and more where any stroke (W,) is likely."""
-    return np.asarray(worth + PRECISE * at_word + PLACE * spread(stroke[:, None], 1), np.float32)
-
-
-def strokes(gain: SingleArray, price: float, times_s: Sequence[float], *, still: Collection[int] = ()) -> list[int]:
-    """The words on which strokes fall, in order, such that the sum of their gains (W, N) minus the price is greatest.
-
-    `times_s` are the times of the words, in order. No stroke falls on a word of `still`.
-    """
-    best = gain.max(axis=1) - price if len(gain) else np.zeros(0, np.float32)
-    return _best_apart([float(value) if word not in still else -1.0 for word, value in enumerate(best)], times_s)
-
-
 def usual_times_s(count: int) -> list[float]:
     """The times of words of which none was heard."""
     return [word * USUAL_WORD_S for word in range(count)]
-
-
-def spread(values: SingleArray, near: int = NEAR) -> SingleArray:
-    """The sums of the values (W, N) within `near` words of each word."""
-    padded = np.zeros((len(values) + 2 * near, values.shape[1]), values.dtype)
-    padded[near : near + len(values)] = values
-    windows = [padded[shift : shift + len(values)] for shift in range(2 * near + 1)]
-    return np.asarray(np.sum(windows, axis=0), np.float32)
 
 
 def spans_of(
@@ -189,23 +150,3 @@ def _one_after_another(taken: Sequence[tuple[str, SingleArray]], first: int, las
     for (kind, likely), (begin, end) in zip(taken, parts, strict=False):
         stroke = begin + int(likely[begin - first : end - first + 1].argmax())
         yield Span(kind, begin, end, float(likely.max()), stroke)
-
-
-def _best_apart(values: Sequence[float], times_s: Sequence[float]) -> list[int]:
-    """The places with the greatest sum of values that are at least `STROKES_APART_S` apart, by dynamic programming."""
-    best = [0.0]
-    before = [bisect_right(times_s, time_s - STROKES_APART_S + _SLACK_S) for time_s in times_s]
-    taken: list[bool] = []
-    for place, value in enumerate(values):
-        with_it = best[before[place]] + value
-        taken.append(value > 0 and with_it > best[-1])
-        best.append(with_it if taken[-1] else best[-1])
-    places: list[int] = []
-    place = len(values)
-    while place > 0:
-        if taken[place - 1]:
-            places.append(place - 1)
-            place = before[place - 1]
-        else:
-            place -= 1
-    return places[::-1]

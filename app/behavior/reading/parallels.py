@@ -19,7 +19,7 @@ from itertools import pairwise, product
 from typing import TypeAlias
 
 from ...model import Function, Parse, SingleArray, Token, Utterance
-from .decoding import NEAR, STROKES_APART_S
+from .strokes import NEAR, STROKES_APART_S
 
 PARALLEL = 3.0
 """The log-odds of a place in parallel phrases."""

@@ -16,24 +16,14 @@ import numpy as np
 
 from ...model import BehaviorCandidates, Channel, Function, Moment, RejectedAlternative, SingleArray, Term, Utterance
 from .choice_model import log_odds_of, worth_of
-from .decoding import (
-    NEAR,
-    USUAL_WORD_S,
-    gains,
-    held,
-    sentence_ends,
-    spans_of,
-    spread,
-    stretches_of,
-    strokes,
-    usual_times_s,
-)
+from .decoding import USUAL_WORD_S, held, sentence_ends, spans_of, stretches_of, usual_times_s
 from .encoder import Delivery, Reading
 from .families import FamilyBehavior
 from .mimes import Mime, mimes_in
 from .parallels import CONTRAST, Ground, PlacedStroke, parallel_strokes, placed_strokes, with_placed
 from .planner import Planner
 from .player import Player
+from .strokes import NEAR, WHOLE, Worth, strokes, windowed
 from .supports import Support, supports_of
 from .terms import Fact, terms_of
 from .worths import (
@@ -108,26 +98,45 @@ def plan(planner: Planner, line: Understood, player: Player, *, still: Sequence[
     if player.quantity <= 0 or not utterance.words:
         return Plan()
     reading = planner.encoder.read([word.text for word in utterance.words], Delivery.of(utterance))
-    worths = _worths(planner, reading, line, player)
-    ground = Ground(times_s_of(utterance), _gains(planner, reading, worths), still)
-    quantity = player.quantity * player.by_agitation
-    price = planner.choice.price - QUANTITY_WEIGHT * log(quantity * pace_of(utterance) ** PACE_WEIGHT)
-    taken = strokes(ground.gain[:, None], price, ground.times_s, still=still)
-    contrast = worths.family[:, planner.choice.families.index(CONTRAST)]
-    parallel = parallel_strokes(utterance, ground, contrast) if quantity > SPARING else ()
-    placed = {each.word: each for each in parallel} or _placed(contrast, line.functions, taken, ground)
-    taken = with_placed(taken, placed.values(), ground)
-    worths = after_what_was_shown(worths, [word for word in taken if word not in placed], ground.times_s)
-    worth_it = _gains(planner, reading, worths) >= price
-    taken = [word for word in taken if word in placed or worth_it[word]]
+    taken = _taken(planner, reading, line, player, still)
+    worths = taken.worths
     kinds = {each.channel: each for each in _heads_and_faces(planner, reading, line, worths.terms, player)}
     texts = [word.text for word in utterance.words]
     moments = chain(
-        (_in_place(moment, placed) for moment in _gestures(worths, utterance, taken, ground)),
+        (_in_place(moment, taken.placed) for moment in _gestures(worths, utterance, taken.words, taken.ground)),
         *(_spans(each, texts) for each in kinds.values()),
     )
     in_order = sorted(moments, key=lambda moment: (moment.stroke, moment.channel, moment.first))
-    return Plan(tuple(in_order), worths, price, kinds)
+    return Plan(tuple(in_order), worths, taken.price, kinds)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Taken:
+    """The words taken for strokes, those of them that are sides of a contrast, where strokes can fall, and what they
+    are worth beside each other, with the price of one."""
+
+    words: Sequence[int]
+    placed: Mapping[int, PlacedStroke]
+    ground: Ground
+    worths: LineWorths
+    price: float
+
+
+def _taken(planner: Planner, reading: Reading, line: Understood, player: Player, still: Sequence[int]) -> _Taken:
+    utterance, quantity = line.utterance, player.quantity * player.by_agitation
+    worths = _worths(planner, reading, line, player)
+    worth = _worth(planner, reading, worths)
+    ground = Ground(times_s_of(utterance), worth.gains(), still)
+    price = planner.choice.price - QUANTITY_WEIGHT * log(quantity * pace_of(utterance) ** PACE_WEIGHT)
+    found = {each.word: each for each in strokes(worth, price, ground.times_s, still=still)}
+    contrast = worths.family[:, planner.choice.families.index(CONTRAST)]
+    parallel = parallel_strokes(utterance, ground, contrast) if quantity > SPARING else ()
+    placed = {each.word: each for each in parallel} or _placed(contrast, line.functions, [*found], ground)
+    words = with_placed(found, placed.values(), ground)
+    shares = {word: worth.share(found[word].window)[word] for word in words if word not in placed}
+    worths = after_what_was_shown(worths, shares, ground.times_s)
+    worth_it = _worth(planner, reading, worths).gains() >= price
+    return _Taken([word for word in words if word in placed or worth_it[word]], placed, ground, worths, price)
 
 
 def _heads_and_faces(
@@ -169,7 +178,7 @@ def meanings(planner: Planner, line: Understood, player: Player, words: Collecti
 
 def expected_worth(at_word: SingleArray, nearby: SingleArray) -> SingleArray:
     """The expected worth of a stroke on each word (W, F), by the reading alone."""
-    return np.asarray(AT_WORD_SHARE * spread(at_word) + (1 - AT_WORD_SHARE) * nearby, np.float32)
+    return np.asarray(AT_WORD_SHARE * windowed(at_word, WHOLE) + (1 - AT_WORD_SHARE) * nearby, np.float32)
 
 
 def times_s_of(utterance: Utterance) -> list[float]:
@@ -242,10 +251,9 @@ def _supports(
     return best
 
 
-def _gains(planner: Planner, reading: Reading, worths: LineWorths) -> SingleArray:
-    """The most that any gesture gains with its stroke on each word (W,)."""
-    at_word = reading.at_word @ planner.shown.T
-    return np.asarray(gains(worth_of(worths.log_odds), at_word, reading.stroke).max(axis=1), np.float32)
+def _worth(planner: Planner, reading: Reading, worths: LineWorths) -> Worth:
+    """What strokes are worth."""
+    return Worth(worth_of(worths.log_odds), reading.at_word @ planner.shown.T, reading.stroke)
 
 
 def _possible(planner: Planner, utterance: Utterance, mimes: Iterable[Mime]) -> SingleArray:

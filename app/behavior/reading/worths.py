@@ -35,7 +35,7 @@ FOCUS_WEIGHT = 0.3
 LEAST_SHARE, MOST_SHARE = 0.25, 6.0
 """The focus counts between these multiples of an even share."""
 
-TEMPERATURE = 0.18
+TEMPERATURE = 0.22
 """The size of chance in log-odds: the scale of the logistic draws of every seed but 0, which takes the best set."""
 
 VARIETY = 6.0
@@ -53,7 +53,10 @@ FAINT = 0.05
 """Parts that are smaller are not told."""
 
 CHANCE, FOCUS, OTHER_READINGS = "chance", "focus of the voice", "other readings of the gesture"
-JUST_BEFORE = "shown just before"
+JUST_BEFORE, BESIDE = "shown just before", "shared with a stroke nearby"
+
+Place = tuple[int, int]
+"""A word and the column of a lexeme."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -73,7 +76,8 @@ class LineWorths:
     focus: SingleArray
     chance: SingleArray
     log_odds: SingleArray
-    just_shown: Mapping[tuple[int, int], float] = field(default_factory=dict)
+    just_shown: Mapping[Place, float] = field(default_factory=dict)
+    beside: Mapping[Place, float] = field(default_factory=dict)
     mimes: Mapping[tuple[int, str], Mime] = field(default_factory=dict)
 
     def of(self, word: int, lexeme: str) -> float | None:
@@ -93,6 +97,7 @@ class LineWorths:
         parts.append(Term(FOCUS, round(float(self.focus[word]), 2)))
         parts.append(Term(CHANCE, round(float(self.chance[word, column]), 2)))
         parts.append(Term(JUST_BEFORE, round(self.just_shown.get((word, column), 0.0), 2)))
+        parts.append(Term(BESIDE, round(self.beside.get((word, column), 0.0), 2)))
         support = self.supports.get((word, lexeme))
         parts += support.parts if support else ()
         mime = self.mimes.get((word, lexeme))
@@ -171,18 +176,22 @@ def summed(
     return np.asarray(total, np.float32)
 
 
-def after_what_was_shown(worths: LineWorths, taken: Sequence[int], times_s: Sequence[float]) -> LineWorths:
-    """The worths on the words `taken` for strokes, in order, less for what the strokes before show: the best on their
-    words."""
-    total, lost, shown = worths.log_odds.copy(), dict[tuple[int, int], float](), dict[int, float]()
-    for word in taken:
+def after_what_was_shown(worths: LineWorths, taken: Mapping[int, SingleArray], times_s: Sequence[float]) -> LineWorths:
+    """The worths on the words `taken` for strokes, in order, less for what lies nearer to other strokes, by the share
+    (L,) that is a stroke's own, and for what the strokes before show: the best on their words."""
+    total, shown = worths.log_odds.copy(), dict[int, float]()
+    before, beside = dict[Place, float](), dict[Place, float]()
+    for word, share in taken.items():
+        own = np.minimum(total[word], log_odds_of(worth_of(total[word]) * share))
+        beside |= {(word, column): float(lost) for column, lost in enumerate(own - total[word]) if lost}
+        total[word] = own
         for column, shown_s in shown.items():
             left = 1 - (times_s[word] - shown_s) / JUST_SHOWN_S
             if left > 0:
-                lost[word, column] = JUST_SHOWN * left
-                total[word, column] += lost[word, column]
+                before[word, column] = JUST_SHOWN * left
+                total[word, column] += before[word, column]
         shown[int(total[word].argmax())] = times_s[word]
-    return replace(worths, log_odds=total, just_shown=lost)
+    return replace(worths, log_odds=total, just_shown=before, beside=beside)
 
 
 def _log_odds(worth: float) -> float:

@@ -1,87 +1,9 @@
 from dataclasses import replace
-from itertools import combinations, pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
-from understudy.behavior.reading.decoding import (
-    MOST_HELD,
-    PLACE,
-    PRECISE,
-    STROKES_APART_S,
-    Span,
-    gains,
-    held,
-    spans_of,
-    spread,
-    stretches_of,
-    strokes,
-    usual_times_s,
-)
-from understudy.model import SingleArray
-
-PRICE = 0.4
-
-
-def column(*values: float) -> SingleArray:
-    return np.array([[value] for value in values], np.float32).reshape(-1, 1)
-
-
-def taken(gain: SingleArray, **options: list[int]) -> list[int]:
-    """The strokes at the usual times of words: four words apart."""
-    return strokes(gain, PRICE, usual_times_s(len(gain)), **options)
-
-
-def test_nothing_is_taken_that_costs_more_than_it_gains() -> None:
-    assert taken(column(0.1, 0.39, 0.2)) == []
-    assert taken(column()) == []
-
-
-def test_of_two_that_are_too_near_the_better_is_taken() -> None:
-    assert taken(column(0.5, 0.1, 0.9, 0.1, 0.1, 0.1, 0.6)) == [2, 6]
-
-
-def test_two_good_ones_beat_a_better_one_between_them() -> None:
-    assert taken(column(0.8, 0.1, 0.9, 0.1, 0.8)) == [0, 4]
-
-
-def test_no_stroke_falls_where_the_hands_are_to_be_still() -> None:
-    assert taken(column(0.2, 0.9, 0.2), still=[1]) == []
-
-
-TIMES_S = [0.0, 0.4, 0.6, 1.1, 1.45, 1.7, 2.9, 3.0, 3.2]
-
-
-@given(st.lists(st.floats(0, 1, width=32), max_size=9))
-def test_the_strokes_are_the_best_of_all_that_are_possible(values: list[float]) -> None:
-    over = [value - PRICE for value in values]
-    legal = [
-        places
-        for count in range(len(values) + 1)
-        for places in combinations(range(len(values)), count)
-        if all(TIMES_S[later] - TIMES_S[earlier] >= STROKES_APART_S for earlier, later in pairwise(places))
-    ]
-    best = max(sum(over[place] for place in places) for places in legal)
-    chosen = strokes(column(*values), PRICE, TIMES_S[: len(values)])
-    assert tuple(chosen) in legal
-    assert sum(over[place] for place in chosen) == pytest.approx(best, abs=1e-5)
-
-
-def test_slow_words_have_room_for_more_strokes_and_quick_ones_for_fewer() -> None:
-    gain = column(*[0.9] * 9)
-    counts = [len(strokes(gain, PRICE, [word * word_s for word in range(9)])) for word_s in (0.15, 0.3, 0.6)]
-    assert counts == [2, 3, 5]
-
-
-def test_a_stroke_earns_what_lies_within_two_words() -> None:
-    assert spread(column(0, 0, 1, 0, 0, 0))[:, 0].tolist() == [1, 1, 1, 1, 1, 0]
-
-
-def test_a_gain_counts_the_word_itself_and_likely_strokes_beside_the_worth() -> None:
-    found = gains(column(0.5, 0.5), column(1, 0), np.array([0.0, 0.2], np.float32))
-    assert found[:, 0] == pytest.approx([0.5 + PRECISE + PLACE * 0.2, 0.5 + PLACE * 0.2])
+from understudy.behavior.reading.decoding import MOST_HELD, Span, held, spans_of, stretches_of
 
 
 @pytest.mark.parametrize(

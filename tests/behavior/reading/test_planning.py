@@ -5,14 +5,17 @@ from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
+import numpy as np
 import pytest
 
 from understudy.behavior.reading import worths as weighing
-from understudy.behavior.reading.decoding import STROKES_APART_S, usual_times_s
+from understudy.behavior.reading.decoding import usual_times_s
 from understudy.behavior.reading.planning import Plan, Understood, plan
 from understudy.behavior.reading.player import Player
+from understudy.behavior.reading.strokes import STROKES_APART_S
 from understudy.behavior.reading.supports import WEIGHT_SCALE
 from understudy.behavior.reading.worths import (
+    BESIDE,
     JUST_BEFORE,
     JUST_SHOWN,
     JUST_SHOWN_S,
@@ -153,12 +156,16 @@ def test_a_mapping_rules_weight_moves_its_gesture(understudy: Understudy) -> Non
     assert log_odds(100.0) - log_odds(1.0) == pytest.approx(WEIGHT_SCALE * math.log(100), abs=1e-3)
 
 
+WHOLE = np.ones(1, np.float32)
+"""The share of a stroke that has no other near it."""
+
+
 def test_what_was_shown_just_before_is_worth_less_and_says_so(understudy: Understudy) -> None:
     found = plan_of(understudy, LINES[0], player(understudy))
     assert found.worths is not None
     before = replace(found.worths, just_shown={})
     lexeme = list(before.lexemes)[int(before.log_odds[2].argmax())]
-    after = after_what_was_shown(before, [2, 6], [0.5 * word for word in range(12)])
+    after = after_what_was_shown(before, dict.fromkeys((2, 6), WHOLE), [0.5 * word for word in range(12)])
     lost = (after.of(6, lexeme) or 0.0) - (before.of(6, lexeme) or 0.0)
     assert lost == pytest.approx(JUST_SHOWN * (1 - 2.0 / JUST_SHOWN_S), abs=1e-3)
     assert {part.name: part.weight for part in after.parts(6, lexeme)}[JUST_BEFORE] == pytest.approx(lost, abs=0.01)
@@ -178,10 +185,40 @@ def test_what_would_only_be_shown_again_is_left_out(understudy: Understudy, monk
     assert 1 <= gestures() < repeated
 
 
+def test_a_number_is_counted_once_on_its_word(understudy: Understudy) -> None:
+    moments = planned(understudy, "There were three of them.")
+    assert [each.stroke for each in moments if each.families[0] == "count"] == [2]
+
+
+def test_left_and_right_are_shown_each_on_its_word(understudy: Understudy) -> None:
+    moments = planned(understudy, "My brother went left, and I went right.")
+    shown = [(each.families[0], each.stroke) for each in moments if each.channel is Channel.GESTURE]
+    assert [stroke for _, stroke in shown] == [3, 7]
+    assert shown[0][0] == "left"
+    assert shown[1][0] != "left"
+
+
+def test_what_lies_nearer_to_another_stroke_is_told(understudy: Understudy) -> None:
+    found = plan_of(understudy, LINES[0], player(understudy))
+    assert found.worths is not None
+    before = replace(found.worths, just_shown={}, beside={})
+    lexeme = list(before.lexemes)[int(before.log_odds[2].argmax())]
+    half = np.full(len(before.lexemes), 0.5, np.float32)
+    after = after_what_was_shown(before, {2: half}, [0.5 * word for word in range(12)])
+    lost = (after.of(2, lexeme) or 0.0) - (before.of(2, lexeme) or 0.0)
+    assert lost < 0
+    assert {part.name: part.weight for part in after.parts(2, lexeme)}[BESIDE] == pytest.approx(lost, abs=0.01)
+
+
 def test_nothing_is_lost_for_what_was_shown_long_before(understudy: Understudy) -> None:
     worths = plan_of(understudy, LINES[0], player(understudy)).worths
     assert worths is not None
-    assert after_what_was_shown(worths, [0, 6], [JUST_SHOWN_S * word for word in range(12)]).just_shown == {}
+    assert (
+        after_what_was_shown(
+            worths, dict.fromkeys((0, 6), WHOLE), [JUST_SHOWN_S * word for word in range(12)]
+        ).just_shown
+        == {}
+    )
 
 
 def test_a_rule_of_more_than_the_usual_weight_moves_the_head(understudy: Understudy) -> None:
