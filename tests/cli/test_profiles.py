@@ -57,7 +57,7 @@ def test_little_annotation_and_tracks_of_other_names_are_told(capfdbinary: Captu
     assert code == 0
     warnings = [line for line in err.splitlines() if line.startswith("warning: ")]
     assert f"{source}: tracks that are not read: comments" in warnings[0]
-    assert "few to know a speaker by" in warnings[1]
+    assert "few to know a speaker well" in warnings[1]
 
 
 def test_a_mixed_profile_can_be_mixed_again(capfdbinary: Captured, tmp_path: Path) -> None:

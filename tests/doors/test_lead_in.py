@@ -67,7 +67,7 @@ def client(nursery: Nursery) -> Iterator[TestClient]:
 def _too_early(performance: Performance) -> list[Behavior]:
     """What the start of the recording takes time from."""
     hurried = (each for each in performance.behaviors if each.kind in (Channel.GESTURE, Channel.HEAD))
-    return [each for each in hurried if "as the performance begins" in (each.reason or "")]
+    return [each for each in hurried if "begins with the hand raised" in (each.reason or "")]
 
 
 def test_the_words_and_the_recording_are_later_and_nothing_is_hurried(
