@@ -65,6 +65,7 @@ CHANGED_AND_LEFT = """
   seed.value = "8";
   seed.dispatchEvent(new Event("change"));
   written.value = "No!";
+  written.dispatchEvent(new Event("input"));
   document.querySelector("#perform-written").click();
 }
 """
