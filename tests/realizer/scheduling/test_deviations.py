@@ -52,7 +52,7 @@ def test_a_target_that_is_nowhere_is_told_unless_it_is_the_other_in_the_talk() -
 def test_repetitions_that_there_is_no_time_for_are_told() -> None:
     hurried = behavior(Channel.HEAD, "NOD", 1.0, 1.5, repetitions=6)
     assert [(each.action, each.reason) for each in unplayable_behaviors(schedule(hurried))] == [
-        ("shortened", "there is time for 2 of 6 repetitions")
+        ("shortened", "there is only time for 2 of 6 repetitions")
     ]
 
 
