@@ -19,7 +19,7 @@ import { Smoothing } from "./smoothing.js";
 
 const LARGEST_PIXEL_RATIO = 2;
 /** After so long without another picture, what was drawn coarsely is drawn finely. */
-const REST_MS = 300;
+const REST_MS = 800;
 
 const NO_PICTURE = "This browser draws no bodies: WebGL is missing or switched off. The line is performed, played, changed and exported all the same.";
 /** What draws without a graphics card in browsers on Linux, macOS and Windows. */

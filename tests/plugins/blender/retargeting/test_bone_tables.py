@@ -52,11 +52,11 @@ def test_rigify_names_both_sides_of_what_its_constraints_ask_for() -> None:
     [
         (("hips =", "hip ="), "middle.hip: the body has no such joint"),
         (('title = "Mine"', ""), "the key title is missing"),
-        (('["Pelvis", "Hip"]', "[1]"), "middle.hips: a bone's name"),
+        (('["Pelvis", "Hip"]', "[1]"), "middle.hips: expected a bone's name"),
         (("[middle]", "[centre]\n[middle]"), "there is no key centre"),
         (("UpperArm", "Arm"), "sided.Arm: the body has no such joint"),
         (("[sided]", '[also]\na = "hip"\n[sided]'), "also.a: the body has no joint hip"),
-        (("[sided]", '[[properties]]\nbone = "a"\n[sided]'), r"properties\[0\]: bone, name and value"),
+        (("[sided]", '[[properties]]\nbone = "a"\n[sided]'), r"properties\[0\]: expected bone, name and value"),
         (("[middle]", "[middle"), "mine.toml: "),
     ],
 )
