@@ -138,7 +138,7 @@ def _unread(words: list[StatementValue], column: int, wrong: list[LocatedMistake
         meant = f"did you mean {guessed}?" if guessed else f"lines of a gesture file begin with {', '.join(known)}"
         wrong.append(LocatedMistake(keyword, f"no line begins with {keyword.text!r}; {meant}"))
     elif other and keyword.text not in OF_AN_ARM:
-        told = f"OTHER sets the other arm's {', '.join(sorted(OF_AN_ARM))}, not of {keyword.text}"
+        told = f"OTHER sets the other arm's {', '.join(sorted(OF_AN_ARM))}, not {keyword.text}"
         wrong.append(LocatedMistake(keyword, told))
     else:
         at = next(word for word in words if word.column + len(word.text) > column or not word.text)
