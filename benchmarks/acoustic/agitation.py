@@ -39,7 +39,6 @@ from training.agitation.fuzzy_svm import Recipe, train
 from training.agitation.measuring import measured
 from understudy.acoustic.agitation.agitation import AgitationModel
 from understudy.acoustic.agitation.utterance_features import FEATURE_SETS, paper_features
-from understudy.acoustic.agitation.voice_quality import voice_quality
 from understudy.acoustic.signal.spectrum import mel_db, mfcc
 from understudy.acoustic.stage import contours_of
 from understudy.model import Audio, Contours, FloatArray
@@ -210,14 +209,10 @@ def ablation_of_frames(speech: Path) -> None:
     recordings = read_recordings(speech, CORPORA)
     heard = [(audio, contours_of(audio)) for audio in (read_audio(recording.path) for recording in recordings)]
     for name, change in PAPER_CHANGES.items():
-        rows = np.array([_paper_features(audio, change(audio, contours)) for audio, contours in heard])
+        rows = np.array([paper_features(change(audio, contours)) for audio, contours in heard])
         samples = describe(recordings, {"clean": rows})
         fixed = Trainer("paper", recipe=choose(samples, "paper"))
         _report(f"paper, ravdess, {name}", fixed, samples, "ravdess")
-
-
-def _paper_features(audio: Audio, contours: Contours) -> FloatArray:
-    return paper_features(contours, voice_quality(audio, contours.f0_hz))
 
 
 @dataclass(frozen=True, slots=True)

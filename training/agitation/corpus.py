@@ -18,7 +18,7 @@ import soundfile
 from numpy.typing import NDArray
 
 from training.agitation.conditions import Condition
-from understudy.acoustic.agitation.utterance_features import FEATURE_SETS
+from understudy.acoustic.agitation.utterance_features import FEATURE_SETS, full_features
 from understudy.acoustic.agitation.voice_quality import voice_quality
 from understudy.acoustic.stage import contours_of
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray, Level
@@ -113,8 +113,8 @@ def _features(task: tuple[Path, Condition]) -> dict[str, FloatArray]:
     path, change = task
     audio = change(read_audio(path), np.random.default_rng(zlib.crc32(path.name.encode())))
     contours = contours_of(audio)
-    quality = voice_quality(audio, contours.f0_hz)
-    return {name: features(contours, quality) for name, features in FEATURE_SETS.items()}
+    features = full_features(contours, voice_quality(audio, contours.f0_hz))
+    return {name: features[:count] for name, count in FEATURE_SETS.items()}
 
 
 def read_audio(path: Path) -> Audio:

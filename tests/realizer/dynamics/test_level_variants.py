@@ -5,7 +5,7 @@ from math import dist
 
 import pytest
 
-from understudy.model import Hand, Level, Slots
+from understudy.model import Hand, Level, Side, Slots
 from understudy.model.figure import Figure, GestureManner, Physique, Sex
 from understudy.models import load_gestures, load_realizer
 from understudy.realizer.arms.wrist_paths import stroke_end_m
@@ -84,7 +84,7 @@ def test_women_and_men_have_their_hands_elsewhere(style: MovementStyle) -> None:
             assert made[Sex.NEUTRAL] is each
             woman, man = (ended(made[sex]) for sex in (Sex.FEMALE, Sex.MALE))
             assert each.clip.aimed or dist(woman[0], man[0]) > 0.05
-    shown = place_clip(plain[0].clip, request(category, Level.MEDIUM, Hand.RIGHT, Slots(side="left")))
+    shown = place_clip(plain[0].clip, request(category, Level.MEDIUM, Hand.RIGHT, Slots(side=Side.LEFT)))
     assert varied(shown, own[Sex.FEMALE].variants) is shown
 
 
