@@ -10,6 +10,7 @@ import logging
 import select
 import socket
 import sys
+from abc import ABC, abstractmethod
 from asyncio.transports import BaseTransport
 from http import HTTPStatus
 from typing import Any
@@ -43,7 +44,7 @@ READ_BYTES, READ_IN_PARTS_BYTES = 1 << 13, 1 << 11
 be hundreds of tiny ones in it, and all other connections wait until they are parsed."""
 
 
-class _ReadInTurns(asyncio.BufferedProtocol):
+class _ReadInTurns(asyncio.BufferedProtocol, ABC):
     """A protocol whose data comes in pieces of `read_bytes`."""
 
     read_bytes = READ_IN_PARTS_BYTES
@@ -57,8 +58,9 @@ class _ReadInTurns(asyncio.BufferedProtocol):
         assert self._buffer is not None, "data was read into it"
         self.data_received(bytes(self._buffer[:nbytes]))
 
+    @abstractmethod
     def data_received(self, data: bytes) -> None:
-        raise NotImplementedError
+        """Takes a piece."""
 
 
 class LimitedProtocol(H11Protocol, _ReadInTurns):

@@ -111,14 +111,21 @@ def gibberish(seed: int = 0) -> str:
 @contextmanager
 def _repeated(attack: Attack, service: Running) -> Iterator[None]:
     """One client that asks the same again and again."""
-    enough = threading.Event()
 
-    def ask() -> None:
+    def ask(enough: threading.Event) -> None:
         with Client(service.port) as client:
             while not enough.is_set():
                 client.ask(attack)
 
-    thread = threading.Thread(target=ask)
+    with _meanwhile(ask):
+        yield
+
+
+@contextmanager
+def _meanwhile(work: Callable[[threading.Event], None]) -> Iterator[None]:
+    """Work in a thread, until the block ends and tells it that it is enough."""
+    enough = threading.Event()
+    thread = threading.Thread(target=work, args=(enough,))
     thread.start()
     try:
         yield
@@ -138,22 +145,16 @@ def _signalled(which: Callable[[Running], list[psutil.Process]], number: int, se
 @contextmanager
 def _flooded(begin: Callable[[Running], socket.socket], piece: bytes, service: Running) -> Iterator[None]:
     """One connection on which pieces of a few bytes are sent without end, begun again whenever it is ended."""
-    enough = threading.Event()
 
-    def send() -> None:
+    def send(enough: threading.Event) -> None:
         while not enough.is_set():
             with suppress(OSError), begin(service) as connection:
                 connection.settimeout(1.0)
                 while not enough.is_set():
                     connection.sendall(piece * 1000)
 
-    thread = threading.Thread(target=send)
-    thread.start()
-    try:
+    with _meanwhile(send):
         yield
-    finally:
-        enough.set()
-        thread.join()
 
 
 def _begun_body(service: Running) -> socket.socket:

@@ -125,7 +125,7 @@ class _Taken:
 def _taken(planner: Planner, reading: Reading, line: Understood, player: Player, still: Sequence[int]) -> _Taken:
     utterance, quantity = line.utterance, player.quantity * player.by_agitation
     worths = _worths(planner, reading, line, player)
-    worth = _worth(planner, reading, worths)
+    worth = Worth(worth_of(worths.log_odds), reading.at_word @ planner.shown.T, reading.stroke)
     ground = Ground(times_s_of(utterance), worth.gains(), still)
     price = planner.choice.price - QUANTITY_WEIGHT * log(quantity * pace_of(utterance) ** PACE_WEIGHT)
     found = {each.word: each for each in strokes(worth, price, ground.times_s, still=still)}
@@ -135,7 +135,7 @@ def _taken(planner: Planner, reading: Reading, line: Understood, player: Player,
     words = with_placed(found, placed.values(), ground)
     shares = {word: worth.share(found[word].window)[word] for word in words if word not in placed}
     worths = after_what_was_shown(worths, shares, ground.times_s)
-    worth_it = _worth(planner, reading, worths).gains() >= price
+    worth_it = replace(worth, whole=worth_of(worths.log_odds)).gains() >= price
     return _Taken([word for word in words if word in placed or worth_it[word]], placed, ground, worths, price)
 
 
@@ -249,11 +249,6 @@ def _supports(
             if held is None or support.log_odds > held.log_odds:
                 best[word, lexeme] = support
     return best
-
-
-def _worth(planner: Planner, reading: Reading, worths: LineWorths) -> Worth:
-    """What strokes are worth."""
-    return Worth(worth_of(worths.log_odds), reading.at_word @ planner.shown.T, reading.stroke)
 
 
 def _possible(planner: Planner, utterance: Utterance, mimes: Iterable[Mime]) -> SingleArray:

@@ -66,6 +66,8 @@ class Worth:
 
     def share(self, window: Window) -> SingleArray:
         """The share of the worth (W, L) that remains in a window."""
+        if window == WHOLE:
+            return np.ones_like(self.at_word)
         within, whole = (windowed(self.at_word, each) for each in (window, WHOLE))
         return np.asarray(((within + UNPLACED) / (whole + UNPLACED)) ** SHARE_POWER, np.float32)
 
@@ -107,11 +109,11 @@ class _Ending:
     before: "_Ending | None" = None
 
     def strokes(self) -> Iterator[Stroke]:
-        """The strokes, the last first."""
-        if self.stroke is not None:
-            yield self.stroke
-        if self.before is not None:
-            yield from self.before.strokes()
+        """The strokes, the last first; in a long recording there are thousands."""
+        ending: _Ending | None = self
+        while ending is not None and ending.stroke is not None:
+            yield ending.stroke
+            ending = ending.before
 
 
 _NOTHING = _Ending()

@@ -119,6 +119,12 @@ def test_slow_words_have_room_for_more_strokes_and_quick_ones_for_fewer() -> Non
     assert counts == [2, 3, 5]
 
 
+def test_a_long_recording_has_thousands_of_strokes() -> None:
+    words = 10_000
+    found = strokes(unplaced(*[0.9] * words), PRICE, usual_times_s(words))
+    assert len(found) == words / 4
+
+
 def test_a_window_reaches_over_words_to_both_sides() -> None:
     assert windowed(column(0, 0, 1, 0, 0, 0), (1, 1))[:, 0].tolist() == [0, 1, 1, 1, 0, 0]
     assert windowed(column(0, 0, 1, 0, 0, 0), (0, 2))[:, 0].tolist() == [1, 1, 1, 0, 0, 0]
