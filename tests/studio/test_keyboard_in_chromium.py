@@ -98,8 +98,9 @@ def test_the_line_is_played_and_looped_where_the_list_has_the_focus(opened: Page
 
 def test_a_line_of_ones_own_is_performed_changed_and_taken_away_by_keys_alone(page: Page) -> None:
     page.goto("/")
-    _tab_to(page, "#files")
     with page.expect_file_chooser() as asked:
+        # Asked for early: the browser is told so without waiting, and a quick Enter would overtake it.
+        _tab_to(page, "#files")
         page.keyboard.press("Enter")
     example = resource_folder("examples")
     asked.value.set_files([example / "example.flac", example / "example.txt"])
