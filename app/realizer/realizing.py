@@ -20,7 +20,7 @@ from .body.motion import BodyMotion, Decision, Motion
 from .body.movement_style import Ends, MovementStyle
 from .body.proportions import Proportions
 from .body.skeleton import Skeleton
-from .dynamics.calming import with_calm_arms
+from .dynamics.calming import with_calm_arms, with_calm_head
 from .dynamics.take_ends import eased_at_the_ends, still_at_the_ends
 from .exporting.retargeting import Rig, find_rig, load_rigs
 from .face.expressions import realized_faces, unknown_faces
@@ -233,7 +233,8 @@ def _apart_and_calm(skeleton: Skeleton, body: BodyMotion, ends: Ends) -> tuple[B
     in turns, until they are neither."""
     body, found = resolve_collisions(skeleton, body)
     for _round in range(_APART_ROUNDS):
-        calm = with_calm_arms(skeleton, still_at_the_ends(skeleton, body, ends.eased_s))
+        calm = with_calm_head(skeleton, still_at_the_ends(skeleton, body, ends.eased_s))
+        calm = with_calm_arms(skeleton, calm)
         if calm is body:
             break
         body, again = resolve_collisions(skeleton, calm)

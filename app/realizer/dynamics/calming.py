@@ -1,14 +1,15 @@
-"""Limits the speed of the arms: where a wrist moves or a joint turns faster than human arms do, the motion is smoothed
-around the fast frames.
+"""Limits the speed of arms and head: where a wrist moves or a joint turns faster than human arms do, the motion is
+smoothed around the fast frames; a head that would turn too fast comes later.
 
 Arms are smoothed twice: alone, before the trunk follows them; and in the world, after all other sources of speed have
-been added: trunk, steps, follow-through of the hands, collision avoidance.
+been added: trunk, steps, follow-through of the hands, collision avoidance. The head's share is what the trunk leaves
+it, so that the sum of all layers, and of the clock that eases in and out, respects the limit.
 """
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
-from math import ceil
+from functools import lru_cache, reduce
+from math import ceil, radians
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,7 @@ from ..arms.posing import ARM_ROWS, wrists_of
 from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton, arm_joints, forward
 from ..geometry.curves import smoothed
-from ..geometry.rotations import keep_signs, normalized, rotate
+from ..geometry.rotations import angle_between, inverse, keep_signs, multiply, normalized, rotate, within_speed
 
 Wrists = Callable[[Sequence[FloatArray], slice], FloatArray]
 """Computes the positions (2, F, 3) of the wrists of a left and a right arm (F, 19, 4) in these frames."""
@@ -40,12 +41,17 @@ IN_THE_WORLD = FastestArms(2.9, 18.5, slice(0, 4))
 """The limits in the world, such that in the result no wrist is faster than 3 m/s, and no hand or arm turns faster than
 20 rad/s."""
 
+FASTEST_HEAD_RAD_S = radians(245.0)
+"""The limit of the head in the world, somewhat below the 250°/s that no frame may exceed."""
+_OWN_SHARE = 0.25
+"""The part of it that the head keeps for itself when the trunk turns that fast."""
+
 _ROUNDS, _CALMER_S, _AROUND_S = 8, 0.045, 0.08
 _NEAR = 0.15
 """The share of fast frames in the neighbourhood of a frame from which on it is smoothed fully."""
 _BESIDE_S = 0.6
 """Frames farther than this from every fast frame are beyond the reach of both smoothings and are skipped."""
-_TRUNK = ("hips", "spine", "chest", "upperChest")
+_TRUNK, _NECK = ("hips", "spine", "chest", "upperChest"), ("neck", "head")
 
 
 def calm(skeleton: Skeleton, arms: Sequence[FloatArray], times_s: FloatArray) -> FloatArray:
@@ -66,6 +72,27 @@ def with_calm_arms(skeleton: Skeleton, body: BodyMotion) -> BodyMotion:
         keep_signs(arm)
     _calmed(arms, body.times_s, wrists, IN_THE_WORLD)
     return body
+
+
+def with_calm_head(skeleton: Skeleton, body: BodyMotion) -> BodyMotion:
+    """The body with its head within the limit in the world; the same body if it is."""
+    step_s = _step_s(body.times_s)
+    chest, over_chest = (_product(skeleton, body, names) for names in (_TRUNK, _NECK))
+    turned = multiply(chest, over_chest)
+    if (angle_between(turned[1:], turned[:-1]) <= FASTEST_HEAD_RAD_S * step_s).all():
+        return body
+    left = FASTEST_HEAD_RAD_S - angle_between(chest[1:], chest[:-1]) / step_s
+    calm = within_speed(over_chest, step_s, np.maximum(left, _OWN_SHARE * FASTEST_HEAD_RAD_S))
+    neck, head = skeleton.chain(*_NECK)
+    rotations = body.rotations.copy()
+    rotations[:, head] = multiply(inverse(rotations[:, neck]), calm)
+    return replace(body, rotations=rotations)
+
+
+def _product(skeleton: Skeleton, body: BodyMotion, names: Sequence[str]) -> FloatArray:
+    """The rotation (T, 4) that a chain of joints adds up to."""
+    first, *others = (body.rotations[:, joint] for joint in skeleton.chain(*names))
+    return reduce(multiply, others, first)
 
 
 def _carried(skeleton: Skeleton, body: BodyMotion) -> Wrists:

@@ -256,3 +256,25 @@ def sine_and_cosine(angle: FloatArray) -> tuple[FloatArray, FloatArray]:
     tangent = np.tan(0.5 * np.asarray(angle))
     whole = 2.0 / (1.0 + tangent * tangent)
     return np.asarray(tangent * whole), np.asarray(whole - 1.0)
+
+
+def within_speed(rotations: FloatArray, frame_s: float, fastest_rad_s: float | FloatArray) -> FloatArray:
+    """The same rotations (T, 4) where none is farther from the one before than the speed allows, one for all or one
+    (T - 1,) a step; where one is, those that follow go after it at that speed until they have caught up."""
+    most = np.broadcast_to(np.asarray(fastest_rad_s) * frame_s, len(rotations) - 1)
+    cosines = np.abs(np.einsum("tk,tk->t", rotations[1:], rotations[:-1]))
+    too_far = np.flatnonzero(cosines < np.cos(most / 2)) + 1
+    if not len(too_far):
+        return rotations
+    kept = rotations.copy()
+    frame = int(too_far[0])
+    while frame < len(kept):
+        away, allowed = float(angle_between(kept[frame], kept[frame - 1])), float(most[frame - 1])
+        if away > allowed:
+            reached = slerp(kept[frame - 1], kept[frame], np.array(allowed / away))
+            kept[frame] = nearest_sign(reached, rotations[frame])
+            frame += 1
+        else:
+            later = too_far[too_far > frame]
+            frame = int(later[0]) if len(later) else len(kept)
+    return kept

@@ -29,14 +29,12 @@ from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton
 from ..geometry.curves import plateau
 from ..geometry.rotations import (
-    angle_between,
     from_axis_angle,
     from_pitch_yaw_roll,
     inverse,
     length,
     multiply,
-    nearest_sign,
-    slerp,
+    within_speed,
 )
 from .attitudes import HeadAttitude, head_attitude
 from .gaze import EYES, TRUNK, chest, eye_rotations, face, fixation_point_m
@@ -268,25 +266,3 @@ def _calm(times_s: FloatArray, movements: Sequence[Behavior]) -> FloatArray:
         around = plateau(times_s[during], sync.start, sync.start + edge_s, sync.end - edge_s, sync.end)
         busy[during] = np.maximum(busy[during], around)
     return np.asarray(1.0 - _CALMED * busy)
-
-
-def within_speed(rotations: FloatArray, frame_s: float, fastest_rad_s: float) -> FloatArray:
-    """The same rotations where none is farther from the one before than the speed allows; where one is, those that
-    follow go after it at that speed until they have caught up."""
-    most = fastest_rad_s * frame_s
-    cosines = np.abs(np.einsum("tk,tk->t", rotations[1:], rotations[:-1]))
-    too_far = np.flatnonzero(cosines < np.cos(most / 2)) + 1
-    if not len(too_far):
-        return rotations
-    kept = rotations.copy()
-    frame = int(too_far[0])
-    while frame < len(kept):
-        away = float(angle_between(kept[frame], kept[frame - 1]))
-        if away > most:
-            reached = slerp(kept[frame - 1], kept[frame], np.array(most / away))
-            kept[frame] = nearest_sign(reached, rotations[frame])
-            frame += 1
-        else:
-            later = too_far[too_far > frame]
-            frame = int(later[0]) if len(later) else len(kept)
-    return kept

@@ -1,4 +1,4 @@
-"""Arms that would be too fast."""
+"""Arms and heads that would be too fast."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton, arm_joints, forward
-from understudy.realizer.dynamics.calming import calm, with_calm_arms
+from understudy.realizer.dynamics.calming import calm, with_calm_arms, with_calm_head
 from understudy.realizer.geometry.rotations import IDENTITY, angle_between, from_axis_angle, multiply
 
 RATE_HZ = 60
@@ -103,3 +103,32 @@ def test_a_body_that_is_calm_is_left_alone() -> None:
     skeleton, body = carried(2.0)
     body.rotations[:] = body.rotations[0]
     assert with_calm_arms(skeleton, body) is body
+
+
+def turning(head_deg_s: float, trunk_deg_s: float) -> tuple[Skeleton, BodyMotion]:
+    """A body that turns its head over its chest and its hips, to the same side, from .5 s to .8 s."""
+    skeleton, times_s = Skeleton.standing(), np.arange(0.0, 2.0, 1 / RATE_HZ)
+    rotations = np.tile(IDENTITY, (len(times_s), len(skeleton.names), 1))
+    for joint, speed in (("head", head_deg_s), ("hips", trunk_deg_s)):
+        turned = np.radians(speed) * np.clip(times_s - 0.5, 0.0, 0.3)
+        rotations[:, skeleton.index[joint]] = from_axis_angle((0.0, 1.0, 0.0), turned)
+    return skeleton, BodyMotion(times_s, rotations, np.zeros((len(times_s), 3)))
+
+
+def head_in_the_world(skeleton: Skeleton, body: BodyMotion) -> FloatArray:
+    _places_m, turned = forward(skeleton, body.rotations, body.hips_m)
+    return np.asarray(turned[:, skeleton.index["head"]])
+
+
+def test_a_head_that_is_slow_enough_with_its_trunk_is_as_it_was() -> None:
+    skeleton, body = turning(140.0, 100.0)
+    assert with_calm_head(skeleton, body) is body
+
+
+def test_a_head_that_the_trunk_makes_too_fast_comes_later_and_arrives() -> None:
+    skeleton, body = turning(180.0, 120.0)
+    before, after = (head_in_the_world(skeleton, each) for each in (body, with_calm_head(skeleton, body)))
+    speeds = np.degrees(angle_between(after[1:], after[:-1])) * RATE_HZ
+    assert np.degrees(angle_between(before[1:], before[:-1])).max() * RATE_HZ > 290
+    assert 240 < speeds.max() < 250
+    assert angle_between(after[-1], before[-1]) < 1e-6

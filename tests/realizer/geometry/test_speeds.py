@@ -4,8 +4,12 @@ import numpy as np
 import pytest
 
 from understudy.model import FloatArray
-from understudy.realizer.geometry.rotations import angle_between, from_pitch_yaw_roll, to_pitch_yaw_roll
-from understudy.realizer.head_and_gaze.head import within_speed
+from understudy.realizer.geometry.rotations import (
+    angle_between,
+    from_pitch_yaw_roll,
+    to_pitch_yaw_roll,
+    within_speed,
+)
 
 FRAME_S = 0.1
 FASTEST_RAD_S = 1.0
@@ -37,3 +41,9 @@ def test_it_is_never_passed() -> None:
     yaws = np.random.default_rng(1).uniform(-1, 1, 50)
     kept = within_speed(turned(*yaws), FRAME_S, FASTEST_RAD_S)
     assert angle_between(kept[1:], kept[:-1]).max() <= FASTEST_RAD_S * FRAME_S + 1e-9
+
+
+def test_each_step_may_have_its_own() -> None:
+    fastest = np.array([0.5, 2.0, 1.0])
+    kept = to_pitch_yaw_roll(within_speed(turned(0.0, 0.25, 0.25, 0.25), FRAME_S, fastest))[1]
+    assert list(kept) == pytest.approx([0.0, 0.05, 0.25, 0.25])
