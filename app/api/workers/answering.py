@@ -20,7 +20,7 @@ from ...library.motion import (
     write_realized,
 )
 from ...library.motion_checks import require_writer
-from ...library.performing import PerformedLine, perform_line
+from ...library.performing import PerformedLine
 from ...library.writing import write_bml_files
 from ...model import Line, Notice
 from ...model.formats import AudioFile
@@ -38,17 +38,21 @@ from ..bodies import BML_TYPES, form_limits, media_type_of
 from ..negotiation import JSON, MOTION_TYPES, XML, chosen
 from . import authoring
 from .form import FormPart, read_form, with_profile, with_reference
+from .known_lines import KnownLines
 from .messages import Answer, Job, Task
 
 WARNINGS_HEADER = "Understudy-Warnings"
 
 
-def answered(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
-    """The answer to a request, and its body. Raises UnderstudyError."""
+def answered(understudy: Understudy, job: Job, content: bytes, known: KnownLines) -> tuple[Answer, bytes]:
+    """The answer to a request, and its body; `known` are the lines performed before, with the same models. Raises
+    UnderstudyError."""
+    if job.task is Task.PERFORM:
+        return _performed(understudy, job, content, known)
     return _ANSWERS[job.task](understudy, job, content)
 
 
-def _performed(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
+def _performed(understudy: Understudy, job: Job, content: bytes, known: KnownLines) -> tuple[Answer, bytes]:
     form = read_form(job.content_type, content, form_limits(Task.PERFORM, understudy.acoustic.settings))
     line = _line(form)
     options = with_profile(_options(form, understudy), form.get("profile"), understudy)
@@ -56,7 +60,7 @@ def _performed(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer
     offered = (JSON,) if options.listeners else (XML, JSON)
     media_type = chosen(job.accept, offered, "a performance with listeners" if options.listeners else "a performance")
     edits = read_rule_part(form["rules"].content) if "rules" in form else {}
-    performed = _performance(understudy, line, options, edits)
+    performed = _performance(understudy, line, options, edits, known)
     performance = performed.performance
     files = write_bml_files(performance, options.form)
     if media_type == XML:
@@ -68,13 +72,15 @@ def _performed(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer
     return Answer(media_type, _headers(performance.notices)), body
 
 
-def _performance(understudy: Understudy, line: Line, options: Options, edits: Edits) -> PerformedLine:
+def _performance(
+    understudy: Understudy, line: Line, options: Options, edits: Edits, known: KnownLines
+) -> PerformedLine:
     """The analysis and the performance by the rules with these edits.
 
     Raises InputError `rules_wrong`, also for a rule that goes wrong where it runs.
     """
     try:
-        return perform_line(with_edits(understudy, edits), line, options)
+        return known.performed(with_edits(understudy, edits), line, options, edits)
     except AuthoringError as error:
         if not edits:
             raise
@@ -218,7 +224,6 @@ def _understood(understudy: Understudy, job: Job, content: bytes) -> tuple[Answe
 
 _ANSWERS: Mapping[Task, Callable[[Understudy, Job, bytes], tuple[Answer, bytes]]] = MappingProxyType(
     {
-        Task.PERFORM: _performed,
         Task.REALIZE: _realized,
         Task.FUNCTIONS: _understood,
         Task.GESTURE_CHECK: authoring.check_gesture,

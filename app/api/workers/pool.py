@@ -220,14 +220,15 @@ class Pool:
             self._offer(worker)
 
     def _offer(self, worker: Worker) -> None:
-        """Gives the worker to the longest waiting job, or marks it idle."""
+        """Gives the worker to the longest waiting job, or marks it idle: who worked last is first, for it may know the
+        next job's line (`KnownLines`)."""
         while self._waiting:
             place = self._waiting.popleft()
             if not place.done():
                 self._busy.add(worker)
                 place.set_result(worker)
                 return
-        self._idle.append(worker)
+        self._idle.appendleft(worker)
 
     def _dismiss(self, worker: Worker) -> None:
         """Ends a worker and starts another."""

@@ -14,6 +14,7 @@ from ...errors import ServiceError, UnderstudyError
 from ...models import Understudy
 from .answering import answered
 from .families import end, end_with
+from .known_lines import KnownLines
 from .limits import limit_memory, too_large
 from .messages import Answer, Job, JobFailure, Ready, receive, send
 
@@ -27,11 +28,12 @@ def work(service: socket.socket, understudy: Understudy) -> None:
     limit_memory(settings.worker_memory_bytes)
     understudy.acoustic.aligner.warm_up()
     send(service, Ready(os.getpid(), psutil.Process().memory_info().rss))
+    known = KnownLines()
     while True:
         try:
             job, content, _ = receive(service)
             assert isinstance(job, Job)
-            answer, body = _answer(understudy, job, bytes(content))
+            answer, body = _answer(understudy, job, bytes(content), known)
             del content
             send(service, answer, body)
         except (EOFError, OSError):
@@ -39,9 +41,9 @@ def work(service: socket.socket, understudy: Understudy) -> None:
     end()
 
 
-def _answer(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer | JobFailure, bytes]:
+def _answer(understudy: Understudy, job: Job, content: bytes, known: KnownLines) -> tuple[Answer | JobFailure, bytes]:
     try:
-        return answered(understudy, job, content)
+        return answered(understudy, job, content, known)
     except UnderstudyError as error:
         return JobFailure(error), b""
     except MemoryError:
