@@ -1,13 +1,14 @@
 """Anneals the reader on careful lines, with second readings and with what it read before.
 
-    python -m training.acting.annealing OUT.npz [--minutes 50] [--seed N]
+    python -m training.acting.annealing OUT.npz [--minutes 50] [--seed N] [--measured FILE.json]
 
 It begins with the shipped weights. Where a line was read twice (`lines/second/`), it is trained towards the mean of
 both readings, and every target is drawn for `TAUGHT` of its way to what the shipped reader makes of the same line:
 one reading is one opinion of many, and what was learnt from thousands of other lines is not to be lost. Some lines are
 cut at the end of a sentence, some are joined, and some pieces are hidden, so that the reader depends on none. The rate
-falls to nearly 0 within the given time; OUT gets the running mean of the weights. An eighth of the lines is held out,
-as in `training/acting/encoder.py`, whose needs it has.
+falls to nearly 0 within the given time; OUT gets the running mean of the weights. What is heard of a delivery is
+guessed, or drawn from what was measured in recordings (`training/acting/recordings.py`); only then are the weights of
+what is heard trained too. An eighth of the lines is held out, as in `training/acting/encoder.py`, whose needs it has.
 """
 
 import argparse
@@ -17,6 +18,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import torch
@@ -26,10 +28,11 @@ from understudy.behavior.reading.encoder import WORDS_ALONE, Delivery, Encoder
 from understudy.model import SingleArray
 
 from .directed import MANNER, DirectedLine, is_held_out, read_lines
-from .encoder import BATCH, SHIPPED, WEIGHT_DECAY, Encoded, encoded, loss_of, starting_weights
-from .listening import as_written, heard
+from .encoder import BATCH, SHIPPED, WEIGHT_DECAY, Encoded, batches_of, encoded, loss_of, starting_weights
+from .listening import Voices, as_written, heard, voices_of
 from .network import Reader
-from .second_readings import KINDS, pairs_of
+from .recordings import read_measured
+from .second_readings import second_readings
 
 RATE, OUTPUT_FACTOR, EMBEDDING_FACTOR, LAYER_FACTOR = 5e-5, 4.0, 0.4, 0.85
 """Of the last layer; of the outputs and of the embeddings beside it; of each layer beside the one above it."""
@@ -47,23 +50,32 @@ Told = tuple[Encoded, Delivery]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Material:
-    """The lines that are trained on and those held out, the shipped vocabulary and reader."""
+    """The lines that are trained on and those held out, what was measured in recordings, the shipped vocabulary and
+    reader."""
 
     kept: Sequence[Encoded]
     checked: Sequence[Encoded]
+    voices: Voices
     vocabulary: Mapping[str, int]
     teacher: Encoder
 
 
-def material(directing: Path, vocabulary: Mapping[str, int]) -> Material:
+def material(directing: Path, vocabulary: Mapping[str, int], measured: Path | None) -> Material:
     """All directed lines; those that were read twice have the mean of both readings."""
-    second = {first["id"]: reading for kind in KINDS for first, reading in pairs_of(kind)}
-    lines = [each for line in read_lines(directing) if (each := encoded(line, vocabulary))]
-    kept = [_read_twice(each, second, vocabulary) for each in lines if not is_held_out(each.line)]
-    return Material(kept, [each for each in lines if is_held_out(each.line)], vocabulary, Encoder.load(SHIPPED))
+    second = second_readings()
+    lines = [
+        _read_twice(each, second, vocabulary) for line in read_lines(directing) if (each := encoded(line, vocabulary))
+    ]
+    return Material(
+        kept=[each for each in lines if not is_held_out(each.line)],
+        checked=[each for each in lines if is_held_out(each.line)],
+        voices=voices_of(read_measured(measured) if measured else {}, (each.line for each in lines)),
+        vocabulary=vocabulary,
+        teacher=Encoder.load(SHIPPED),
+    )
 
 
-def _read_twice(each: Encoded, second: Mapping[str, dict[str, object]], vocabulary: Mapping[str, int]) -> Encoded:
+def _read_twice(each: Encoded, second: Mapping[str, dict[str, Any]], vocabulary: Mapping[str, int]) -> Encoded:
     name = each.line.name
     other = encoded(DirectedLine(name, each.line.words, second[name], True), vocabulary) if name in second else None
     if other is None:
@@ -91,8 +103,8 @@ def anneal(reader: Reader, given: Material, minutes: float, seed: int) -> Mappin
         _follow(mean, reader, min(1 - 1 / MEAN_OF_STEPS, step / (step + 20)))
         if time.monotonic() - told_s > TOLD_EVERY_S:
             told_s = time.monotonic()
-            print(f"step {step + 1}: {_held_out(reader, mean, given.checked)}", flush=True)
-    print(f"end: {_held_out(reader, mean, given.checked)}", flush=True)
+            print(f"step {step + 1}: {_held_out(reader, mean, given)}", flush=True)
+    print(f"end: {_held_out(reader, mean, given)}", flush=True)
     return mean
 
 
@@ -129,17 +141,14 @@ def _endless(given: Material, chance: random.Random) -> Iterator[list[Told]]:
     """Batches of lines of about the same length, epoch after epoch."""
     mask = given.vocabulary.get("[MASK]", given.vocabulary["[UNK]"])
     while True:
-        ordered = sorted(_epoch(given.kept, chance), key=lambda each: len(each[0].pieces) + 6 * chance.random())
-        batches = [ordered[first : first + BATCH] for first in range(0, len(ordered), BATCH)]
-        chance.shuffle(batches)
-        for batch in batches:
+        for batch in batches_of(list(_epoch(given, chance)), chance, lambda told: len(told[0].pieces)):
             yield [(_with_hidden(each, mask, chance), told) for each, told in batch]
 
 
-def _epoch(kept: Sequence[Encoded], chance: random.Random) -> Iterator[Told]:
+def _epoch(given: Material, chance: random.Random) -> Iterator[Told]:
     """The lines of an epoch and what is heard of them, some of them cut, some joined."""
     singles: list[Encoded] = []
-    for each in kept:
+    for each in given.kept:
         if not each.line.careful and chance.random() >= OLD_SHARE:
             continue
         lot = 1.0 if each.line.is_delivery else chance.random()
@@ -148,7 +157,7 @@ def _epoch(kept: Sequence[Encoded], chance: random.Random) -> Iterator[Told]:
         elif lot < CUT + JOINED and len(each.pieces) < SHORT_PIECES:
             singles.append(each)
         else:
-            yield each, heard(each.line, {}, chance)
+            yield each, heard(each.line, given.voices, chance)
     chance.shuffle(singles)
     for first, second in zip(singles[::2], singles[1::2], strict=False):
         yield _joined(first, second), WORDS_ALONE
@@ -212,7 +221,7 @@ def _optimizer(reader: Reader) -> torch.optim.Optimizer:
     return torch.optim.AdamW([{"params": each, "lr": key[0], "weight_decay": key[1]} for key, each in groups.items()])
 
 
-def _held_out(reader: Reader, mean: Mapping[str, Tensor], checked: Sequence[Encoded]) -> str:
+def _held_out(reader: Reader, mean: Mapping[str, Tensor], given: Material) -> str:
     """The loss of the running mean on deliveries and on lines."""
     own = {name: each.detach().clone() for name, each in reader.weights.items()}
     _set(reader, mean)
@@ -221,9 +230,11 @@ def _held_out(reader: Reader, mean: Mapping[str, Tensor], checked: Sequence[Enco
     told = []
     with torch.no_grad():
         for name, deliveries in (("deliveries", True), ("lines", False)):
-            lines = [each for each in checked if each.line.is_delivery is deliveries]
+            lines = [each for each in given.checked if each.line.is_delivery is deliveries]
             batches = [lines[first : first + BATCH] for first in range(0, len(lines), BATCH)]
-            losses = [loss_of(reader, each, [as_written(one.line, {}, chance) for one in each]) for each in batches]
+            losses = [
+                loss_of(reader, each, [as_written(one.line, given.voices, chance) for one in each]) for each in batches
+            ]
             told.append(f"{name} {np.mean([float(each) for each in losses]):.4f}")
     _set(reader, own)
     reader.train()
@@ -241,14 +252,15 @@ def main() -> None:
     parser.add_argument("output", type=Path)
     parser.add_argument("--minutes", type=float, default=50.0)
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--measured", type=Path, help="what the analysis measured in recordings")
     parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
     arguments = parser.parse_args()
     torch.set_num_threads(1)
     torch.manual_seed(arguments.seed)
     weights, vocabulary = starting_weights(SHIPPED)
     reader = Reader(weights, frozen=FROZEN)
-    reader.weights["heard"].requires_grad_(False)
-    given = material(arguments.directing, vocabulary)
+    reader.weights["heard"].requires_grad_(arguments.measured is not None)
+    given = material(arguments.directing, vocabulary, arguments.measured)
     print(f"{len(given.kept)} lines; {len(given.checked)} held out", flush=True)
     _set(reader, anneal(reader, given, arguments.minutes, arguments.seed))
     np.savez(arguments.output, allow_pickle=False, **reader.exported())

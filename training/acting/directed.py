@@ -105,7 +105,7 @@ def read_lines(directing: Path) -> list[DirectedLine]:
     """The single readings of the folder `directing`, and our own, without the second readings."""
     words = {record["id"]: _words(record) for record in _records(directing / "directed-lines.jsonl")}
     lines = [DirectedLine(each["id"], words[each["id"]], each) for each in _records(directing / "directed.jsonl")]
-    for path in sorted(set(OWN.glob("**/*.jsonl")) - set(SECOND.iterdir())):
+    for path in sorted(set(OWN.glob("**/*.jsonl")) - set(SECOND.rglob("*.jsonl"))):
         lines += read_file(path, careful=path.stem not in FIRST_OWN)
     for path in sorted((directing / "more").glob("*.jsonl")):
         lines += read_file(path, careful=True)
@@ -142,6 +142,17 @@ def targets_of(line: DirectedLine) -> Targets:
                 if kind in names:
                     kinds[span, names.index(kind)] = 1
     return targets
+
+
+def avoided(line: DirectedLine) -> "np.ndarray[tuple[int, int], np.dtype[np.bool_]]":
+    """The outputs of each word (W, outputs) that stand for what its director forbids there."""
+    found = np.zeros((len(line.words), OUTPUTS), bool)
+    for each in line.reading.get("avoid") or ():
+        kinds = {SAME.get(kind, kind) for kind in each["what"]}
+        for first, names in ((0, FAMILIES), (2 * len(FAMILIES) + 1, HEAD), (2 * len(FAMILIES) + 1 + len(HEAD), FACE)):
+            columns = [first + place for place, name in enumerate(names) if name in kinds]
+            found[each["first"] : each["last"] + 1, columns] = True
+    return found
 
 
 def is_held_out(line: DirectedLine, without: str = "") -> bool:

@@ -18,9 +18,10 @@ import argparse
 import math
 import random
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 import torch
@@ -39,6 +40,7 @@ from .directed import (
     OUTPUTS,
     DirectedLine,
     Targets,
+    avoided,
     is_held_out,
     read_lines,
     targets_of,
@@ -46,6 +48,8 @@ from .directed import (
 from .listening import Voices, as_written, heard, voices_of
 from .network import Reader, shipped_weights, with_delivery
 from .recordings import read_measured
+
+T = TypeVar("T")
 
 SHIPPED = Path("models/acting/encoder.onnx")
 EPOCHS, BATCH, WEIGHT_DECAY, WARM_UP = 4, 32, 0.01, 0.06
@@ -60,6 +64,9 @@ SIZES = (len(FAMILIES), len(FAMILIES), 1, len(HEAD), len(FACE), len(GAZE), len(M
 LOSS_WEIGHTS = (1.0, 0.4, 0.5, 0.25, 0.25, 0.1, 0.0)
 CAREFUL_WEIGHTS = (1.0, 0.4, 0.5, 0.6, 0.6, 0.2, 0.3)
 """What the outputs count for where heads and faces were directed as carefully as hands."""
+
+AVOIDED = 4.0
+"""How much more what a director forbids at a word counts there: it is what an eager performer would show."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -108,6 +115,7 @@ def _counts(line: DirectedLine, targets: Targets) -> SingleArray:
     shares = CAREFUL_WEIGHTS if line.careful else LOSS_WEIGHTS
     counts = np.tile(np.repeat(shares, SIZES), (len(targets.stroke), 1)).astype(np.float32)
     counts[:, : SIZES[0]] *= targets.importance[:, None]
+    counts[avoided(line)] *= AVOIDED
     if targets.manner is None:
         counts[:, -len(MANNER) :] = 0
     return counts
@@ -139,7 +147,7 @@ def trained(reader: Reader, training: Training, output: Path) -> None:
     for epoch in range(training.epochs):
         reader.train()
         losses, began_s = [], time.monotonic()
-        for batch in _batches(_drawn(training, chance), chance):
+        for batch in batches_of(_drawn(training, chance), chance, _pieces):
             loss = loss_of(reader, batch, [heard(each.line, training.voices, chance) for each in batch])
             optimizer.zero_grad()
             loss.backward()
@@ -172,7 +180,7 @@ def _tell(reader: Reader, training: Training) -> None:
                         [as_written(each.line, training.voices, chance) if told else WORDS_ALONE for each in batch],
                     )
                 )
-                for batch in _batches(lines, random.Random(0))
+                for batch in batches_of(lines, random.Random(0), _pieces)
             ]
             print(f"  held out, {name} ({len(lines)}): {np.mean(values):.3f}", flush=True)
 
@@ -188,7 +196,7 @@ def read(reader: Reader, lines: Sequence[Encoded], voices: Voices) -> dict[str, 
     found: dict[str, SingleArray] = {}
     chance = random.Random(0)
     with torch.no_grad():
-        for batch in _batches(lines, chance):
+        for batch in batches_of(lines, chance, _pieces):
             likely = torch.sigmoid(reader(*inputs_of(batch, [as_written(each.line, voices, chance) for each in batch])))
             found |= {each.line.name: row[: len(each.ends)].numpy() for each, row in zip(batch, likely, strict=True)}
     return found
@@ -214,12 +222,16 @@ def _optimizer(reader: Reader, pace: float) -> torch.optim.Optimizer:
     )
 
 
-def _batches(lines: Sequence[Encoded], chance: random.Random) -> Iterator[list[Encoded]]:
-    """Lines of about the same length together, batches in random order."""
-    ordered = sorted(lines, key=lambda each: len(each.pieces) + 6 * chance.random())
+def batches_of(lines: Sequence[T], chance: random.Random, size: Callable[[T], int]) -> Iterator[list[T]]:
+    """Lines of about the same size together, batches in random order."""
+    ordered = sorted(lines, key=lambda each: size(each) + 6 * chance.random())
     batches = [ordered[first : first + BATCH] for first in range(0, len(ordered), BATCH)]
     chance.shuffle(batches)
     yield from batches
+
+
+def _pieces(each: Encoded) -> int:
+    return len(each.pieces)
 
 
 def inputs_of(batch: Sequence[Encoded], told: Sequence[Delivery]) -> tuple[Tensor, Tensor, Tensor, Tensor]:

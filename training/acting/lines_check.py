@@ -5,7 +5,7 @@
 
 `check` looks at every record in `lines/` and `lines/deliveries/`: words in range, families, names of heads, faces and
 gazes, strokes a moment apart, names and texts that come twice, texts that nearly do; and at `lines/second/`, whose
-lines must be among those. `write` makes one file a kind.
+lines must be among those, or with `--beside` among those of that folder. `write` makes one file a kind.
 """
 
 import argparse
@@ -121,13 +121,20 @@ def _text(record: dict[str, Any]) -> str:
     return record["text"] if "text" in record else " ".join(word.split(":", 1)[1] for word in record["words"])
 
 
+def _of_further(further: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The second readings of lines that are not ours, with their words; none where those are not there."""
+    texts = {each["id"]: _text(each) for each in further}
+    return [{**each, "text": texts.get(each["id"], "")} for each in _records(SECOND / "more") if texts]
+
+
 def _check(beside: Path | None) -> int:
-    records, again = [*_records(OWN), *_records(DELIVERIES)], list(_records(SECOND))
+    records, further = [*_records(OWN), *_records(DELIVERIES)], list(_records(beside / "more")) if beside else []
+    again = [*_records(SECOND), *_records(SECOND / "deliveries"), *_of_further(further)]
     complaints = [f"{each['id']}: {problem}" for each in [*records, *again] for problem in problems_of(each)]
     for some in (records, again):
         names = Counter(each["id"] for each in some)
         complaints += [f"{name} comes {count} times" for name, count in names.items() if count > 1]
-    complaints += strangers_in(again, records)
+    complaints += strangers_in(again, [*records, *further])
     known: dict[str, str] = {}
     for folder in (beside, beside / "more", beside / "deliveries") if beside else ():
         known |= _texts(_records(folder))

@@ -41,6 +41,14 @@ def pairs_of(kind: str) -> list[tuple[dict[str, Any], dict[str, Any]]]:
     return [(firsts[each["id"]], each) for each in seconds]
 
 
+def second_readings() -> dict[str, dict[str, Any]]:
+    """All second readings by the name of their line, also those of lines of the folder `directing`, which are without
+    their words."""
+    paths = sorted(SECOND.rglob("*.jsonl"))
+    records = [json.loads(line) for path in paths for line in path.read_text(encoding="utf-8").splitlines()]
+    return {record["id"]: record for record in records}
+
+
 def _files_of(kind: str) -> list[Path]:
     return sorted(OWN.glob(f"{kind}_[12].jsonl"))
 

@@ -180,8 +180,12 @@ def _timed_words(text: str) -> _TimedWords:
 
 def _is_marks(text: str) -> bool:
     """Whether a JSON file has a line for each mark."""
-    first = text.strip().partition("\n")[0].strip()
-    return first.startswith("{") and first.endswith("}") and '"time"' in first
+    first = text.strip().partition("\n")[0]
+    try:
+        content = json.loads(first)
+    except (ValueError, RecursionError):
+        return False
+    return isinstance(content, dict) and "time" in content
 
 
 def _from_marks(text: str) -> Iterator[_Timed]:

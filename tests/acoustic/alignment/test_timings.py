@@ -212,6 +212,12 @@ def test_a_synthesizers_speech_marks_are_read_a_word_ends_where_the_mouth_closes
     assert read_fillers(content, "json", duration_s=DURATION_S) == ()
 
 
+def test_words_in_one_line_of_json_are_no_speech_marks_though_time_is_spoken() -> None:
+    words = [{"text": "time", "start_s": 0.1, "end_s": 0.4}, {"text": "flies", "start_s": 0.4, "end_s": 0.9}]
+    found = read_timings(json.dumps({"words": words}).encode(), "json", _words("time flies"), duration_s=1.0)
+    assert [each.interval for each in found] == [Interval(0.1, 0.4), Interval(0.4, 0.9)]
+
+
 def test_without_a_mark_after_it_the_last_word_lasts_as_usual() -> None:
     words = read_timings(_marks((0, "word", "one"), (500, "word", "two")), "json", _words("one two"), duration_s=2.0)
     assert [word.interval for word in words] == [Interval(0.0, 0.5), Interval(0.5, 0.8)]

@@ -7,7 +7,7 @@ import pytest
 from tests.support.shared_data import SHARED, needs
 from training.acting.directed import OWN, SECOND, read_lines
 from training.acting.lines_check import strangers_in
-from training.acting.second_readings import KINDS, pairs_of, words_to_read
+from training.acting.second_readings import KINDS, pairs_of, second_readings, words_to_read
 
 DIRECTING = SHARED / "directing"
 
@@ -29,7 +29,17 @@ def test_both_readings_are_of_the_same_words(kind: str) -> None:
 
 
 def test_every_second_reading_is_of_a_kind_that_is_compared() -> None:
-    assert {path.stem for path in SECOND.glob("*")} == set(KINDS)
+    for folder in (SECOND, SECOND / "deliveries"):
+        assert {path.stem for path in folder.glob("*.jsonl")} == set(KINDS)
+
+
+@needs(DIRECTING)
+def test_every_second_reading_is_of_a_line_that_is_trained_on_and_within_its_words() -> None:
+    lines = {line.name: line for line in read_lines(DIRECTING)}
+    second = second_readings()
+    assert len(second) > 803
+    for name, reading in second.items():
+        assert all(moment["last"] < len(lines[name].words) for moment in reading["moments"]), name
 
 
 def test_words_to_read_show_nothing_of_the_first_reading() -> None:
