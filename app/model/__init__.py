@@ -5,8 +5,8 @@ numbered from 0; `first` and `last` are word numbers, both included. Everything 
 value returns a changed copy (`dataclasses.replace`).
 
 `signal`, `speech` and `affect` have the results of acoustic analysis, `language` and `functions` those of understanding
-the words, `direction` and `choice` the plan and the candidates, `body` and `schedule` the behaviours, `performance` all
-of it. Import the values from here.
+the words, `choice` the plan and the candidates, `body` and `schedule` the behaviours, `performance` all of it, and
+`line` the input with a director's notes. Import the values from here.
 """
 
 from .body import Channel, Hand
@@ -20,10 +20,9 @@ from .choice import (
     Movement,
     RejectedAlternative,
 )
-from .direction import Avoidance, DirectedMoment, Direction
 from .functions import PLAIN, Argument, Because, Fact, Function, GivenFunction, Term
 from .language import Clause, Parse, Phrase, Token, Utterance
-from .line import AlignedLine, Analysis, Line, SignalAnalysis, Timings
+from .line import AlignedLine, Analysis, Avoidance, DirectedMoment, Direction, Line, SignalAnalysis, Timings
 from .performance import Notice, Performance
 from .schedule import DEFAULT_CHARACTER, Behavior, Listening, Schedule, SyncPoints, Target, Viseme
 from .slots import Distance, Height, Side, Size, Slots, Which

@@ -1,15 +1,59 @@
-"""The input of a performance, and the result of analysing it before any movement is chosen."""
+"""The input of a performance, a line with a director's notes (docs/directing.md), and the result of analysing it
+before any movement is chosen."""
 
 from dataclasses import dataclass, field
 
 from ..errors import InputError
-from .direction import Direction
+from .choice import Demand
 from .functions import Fact, Function, GivenFunction
 from .language import Utterance
 from .performance import Notice
 from .voice.affect import Affect
 from .voice.signal import PLAINLY_SPOKEN, Audio, Contours, FloatArray, Speaking, VoiceQuality
 from .voice.speech import Agitation, Filler, Word
+
+
+@dataclass(frozen=True, slots=True)
+class DirectedMoment:
+    """A director's note: over words `first` to `last` the body should express something, with the hand's stroke on
+    `stroke`.
+
+    `gesture` are families of gestures (docs/directing.md), any of which would be right, the best first; `head`, `face`
+    and `gaze` likewise. An empty tuple leaves the channel to the rules, ("still",) keeps it still. `importance` is 1
+    (nice) to 3 (the line fails without it).
+    """
+
+    first: int
+    last: int
+    stroke: int
+    importance: int = 2
+    gesture: tuple[str, ...] = ()
+    head: tuple[str, ...] = ()
+    face: tuple[str, ...] = ()
+    gaze: tuple[str, ...] = ()
+    idea: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Avoidance:
+    """A director's note: over words `first` to `last` nothing of `what` (families of any channel; "hands" is every
+    gesture, "any" everything)."""
+
+    first: int
+    last: int
+    what: tuple[str, ...]
+    why: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Direction:
+    """A director's notes on a line, with what is to come always or never (`demands`). If it is `complete`, the hands do
+    only what the notes say."""
+
+    moments: tuple[DirectedMoment, ...] = ()
+    avoid: tuple[Avoidance, ...] = ()
+    demands: tuple[Demand, ...] = ()
+    complete: bool = False
 
 
 @dataclass(frozen=True, slots=True)

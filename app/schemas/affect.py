@@ -10,9 +10,9 @@ import io
 import math
 from collections.abc import Iterator, Sequence
 
-from ..acoustic.affect.dimensions import affect_of_dimensions, affect_of_tone
 from ..errors import InputError, shown
 from ..model import Affect, AffectTrack, Tone
+from ..model.voice.affect import affect_of_dimensions, affect_of_tone
 
 HEADER = ("time_s", "activation", "valence", "dominance")
 MOST_ROWS = 100_000

@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 
 from training.acting.listening import TONES as WRITTEN_TONES
 from training.agitation.corpus import Recording, Samples
-from understudy.acoustic.affect.dimensions import PLACES
 from understudy.model import FloatArray, Tone
+from understudy.model.voice.affect import PLACES
 
 TONES: Mapping[str, Tone] = MappingProxyType(
     {

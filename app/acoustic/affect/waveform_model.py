@@ -19,10 +19,10 @@ import numpy as np
 
 from ...errors import ServiceError
 from ...model import Affect
+from ...model.voice.affect import affect_of_dimensions
 from ...model.voice.signal import SpeakerReference
 from ...onnx_sessions import OnnxSession, load_session
 from .affect_model import DIMENSIONS
-from .dimensions import affect_of_dimensions
 from .line_affect import Stretch
 
 USUAL_ORDER = ("activation", "dominance", "valence")

@@ -21,9 +21,8 @@ from ...library.motion import PreparedSchedule, RealizedSchedule
 from ...model import Behavior, Channel, Notice
 from ...models import Understudy
 from ..comparison import CONDITIONS, KEY_COLUMNS, KEY_NAME, PAIRED, Comparison
-from .by_model import by_speakers, driven_by_affect, in_ways
+from .conditions import by_speakers, driven_by_affect, in_modes, in_units_and_singly, in_ways
 from .lines import PAGE_FOLDER, StudyLine, StudyRequest, read_lines
-from .singletons import in_modes, in_units_and_singly
 from .site import (
     CLIPS,
     CODE_LENGTH,

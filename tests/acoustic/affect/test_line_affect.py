@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from tests.support.words.measured import stretch_of
-from understudy.acoustic.affect.dimensions import PLACES
 from understudy.acoustic.affect.line_affect import (
     HALF_TRUSTED_S,
     Stretch,
@@ -15,6 +14,7 @@ from understudy.acoustic.affect.line_affect import (
 )
 from understudy.errors import InputError
 from understudy.model import SAMPLE_RATE_HZ, Affect, AffectTrack, Audio, Interval, Tone, Word
+from understudy.model.voice.affect import PLACES
 from understudy.schemas.affect import affect_rows, affect_track, read_affect, read_affect_track
 
 WORDS = (Word(0, "Well.", Interval(0.0, 0.8)), Word(1, "Go!", Interval(1.2, 2.0)))

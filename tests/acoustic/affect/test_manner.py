@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from tests.support.words.measured import stretch_of
-from understudy.acoustic.affect.dimensions import affect_of_tone
 from understudy.acoustic.affect.manner import LIMITS, SIZE, USUAL, line_manner, measures, word_manners
 from understudy.model import NEUTRAL, SAMPLE_RATE_HZ, Agitation, Audio, Interval, LineAffect, Tone, Word
+from understudy.model.voice.affect import affect_of_tone
 
 CALM, MEDIUM, HIGH = Agitation(0.9, 0.1, 0.0), Agitation(0.1, 0.8, 0.1), Agitation(0.0, 0.1, 0.9)
 USUAL_FEATURES = np.full(149, np.nan)

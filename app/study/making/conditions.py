@@ -1,12 +1,18 @@
-"""The versions of a line in the studies of NGS (§4.1) and of the main paper (§5).
+"""The motions of a line that a study compares, by comparison.
 
-NGS compares U, with the units of a speaker's profile, and S, with single gestures. S is U with every hold between two
-gestures replaced by a retraction; after-strokes are removed only if the retraction needs their time. In both versions
-the hands rest at the side; everything else is the same. If there is still no time for a rest, the gesture is dropped
-from both versions, so that they have the same gestures. The paper does not mention this case.
+- units (NGS §4.1): U, with the units of a speaker's profile, and S, with single gestures. S is U with every hold
+  between two gestures replaced by a retraction; after-strokes are removed only if the retraction needs their time. In
+  both the hands rest at the side; everything else is the same. If there is still no time for a rest, the gesture is
+  dropped from both, so that they have the same gestures; the paper does not mention this case.
+- modes (the main paper, §5): they differ in their gestures only. Head, eyes, face and postures are those of the
+  semantic mode; as in the paper, the position of the head still differs slightly, since the arms move the body.
+- ways (RTS §3.2): a motion model driven in the three ways of the thesis.
+- affect (AHG §3): a motion model driven by voice and affect, by the voice alone, or by affect alone (AHG §5 announces
+  a test by raters).
+- speakers (NGS §3.5): gestures by the profiles of several speakers.
 
-The main paper compares three modes. Here they differ in their gestures only: head, eyes, face and postures are those of
-the semantic mode. As in the paper, the position of the head still differs slightly, since the arms move the body.
+With a motion model, head, eyes, face and legs are the same in all motions of a line, except for the parts that it
+has learnt.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -16,6 +22,13 @@ from itertools import pairwise
 from ...behavior.speaker_profiles import scripted_behaviors
 from ...errors import InputError
 from ...library.motion import PreparedSchedule, RealizedSchedule
+from ...library.motion_models import (
+    MotionModel,
+    moving_by,
+    realize_moving,
+    realize_played,
+    scenario_named,
+)
 from ...library.performing import perform_analysis, perform_line
 from ...model import Behavior, Channel, Interval, Mode, Performance, SyncPoints
 from ...models import Understudy
@@ -23,15 +36,19 @@ from ...profiles.generation.phases import TimedStrokes, bounds_of
 from ...profiles.generation.script import GestureScript, ScriptedGesture
 from ...profiles.profile import Profile
 from ...realizer.scheduling.rests import POSTURES
-from ..comparison import SINGLETONS, UNITS
+from ..comparison import AFFECT, BOTH, LIVE, OFFLINE, PROSODY, RANDOM, SINGLETONS, UNITS
 from .lines import StudyLine
-from .site import realized
+from .site import FRAME_RATE_HZ, TAIL_S, realized
 
 ROOM_S = 1.0
 """In S after-strokes are removed to leave this time between the last stroke of a gesture and the first of the next."""
 
 AT_SIDE = "HANDS_AT_SIDE"
 _INSTANT_S = 0.1
+
+WHOLE = "RTS"
+DRIVEN_BY: Mapping[str, str] = {BOTH: "S1", PROSODY: "S3", AFFECT: "S5"}
+"""The scenario of AHG Table 1 for each condition of `Comparison.AFFECT`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,3 +192,46 @@ def with_gestures_of(gesturing: Performance, moving: Performance) -> Performance
     gestures = [each for each in gesturing.behaviors if is_gesture(each)]
     rest = [each for each in moving.behaviors if not is_gesture(each)]
     return replace(moving, behaviors=tuple(sorted((*gestures, *rest), key=lambda each: (each.sync.start, each.id))))
+
+
+def in_ways(models: Understudy, model: MotionModel, line: StudyLine, seed: int) -> Mapping[str, RealizedSchedule]:
+    """The line's motion for the complete recording, for a live one, and with units drawn at random; raises as
+    `perform_line` does."""
+    performed = perform_line(models, line.line, line.options)
+    prepared, analysis, realizer = PreparedSchedule.of(performed.performance), performed.analysis, models.realizer
+    moving = moving_by(model, analysis, None, scenario_named(WHOLE))
+    return {
+        OFFLINE: realize_moving(realizer, prepared, moving, frame_rate_hz=FRAME_RATE_HZ, tail_s=TAIL_S),
+        LIVE: realize_played(realizer, prepared, model, analysis, frame_rate_hz=FRAME_RATE_HZ, tail_s=TAIL_S),
+        RANDOM: realize_played(
+            realizer, prepared, model, analysis, drawn_by=seed, frame_rate_hz=FRAME_RATE_HZ, tail_s=TAIL_S
+        ),
+    }
+
+
+def driven_by_affect(models: Understudy, model: MotionModel, line: StudyLine) -> Mapping[str, RealizedSchedule]:
+    """The line's motion driven by voice and affect, by the voice alone, and by affect alone; raises as `perform_line`
+    does."""
+    performed = perform_line(models, line.line, line.options)
+    prepared, analysis = PreparedSchedule.of(performed.performance), performed.analysis
+    return {
+        name: realize_moving(
+            models.realizer,
+            prepared,
+            moving_by(model, analysis, line.options.affect, scenario_named(scenario)),
+            frame_rate_hz=FRAME_RATE_HZ,
+            tail_s=TAIL_S,
+        )
+        for name, scenario in DRIVEN_BY.items()
+    }
+
+
+def by_speakers(
+    models: Understudy, speakers: Mapping[str, Profile | str], line: StudyLine
+) -> Mapping[str, RealizedSchedule]:
+    """The line's motion with the gestures of each speaker; raises as `perform_line` does."""
+    performances = {
+        name: perform_line(models, line.line, replace(line.options, profile=profile)).performance
+        for name, profile in speakers.items()
+    }
+    return {name: realized(models, PreparedSchedule.of(each)) for name, each in performances.items()}

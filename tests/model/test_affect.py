@@ -2,8 +2,8 @@
 
 import pytest
 
-from understudy.acoustic.affect.dimensions import PLACES, affect_of_dimensions, affect_of_tone
 from understudy.model import Tone
+from understudy.model.voice.affect import PLACES, affect_of_dimensions, affect_of_tone
 
 
 @pytest.mark.parametrize("tone", Tone)

@@ -12,8 +12,8 @@ from understudy.options import Options
 from understudy.realization import PreparedSchedule, RealizedSchedule
 from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.body.skeleton import forward
+from understudy.study.making.conditions import UnitVersions, in_modes, in_units_and_singly
 from understudy.study.making.lines import StudyLine
-from understudy.study.making.singletons import UnitVersions, in_modes, in_units_and_singly
 from understudy.study.making.site import realized
 
 EXAMPLES = resource_folder("examples")
