@@ -81,4 +81,5 @@ def understudy() -> Iterator[Understudy]:
 @pytest.fixture(scope="session")
 def nursery() -> Iterator[Nursery]:
     with Nursery.start(Settings()) as nursery:
+        nursery.require_next()
         yield nursery

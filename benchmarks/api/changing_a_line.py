@@ -11,7 +11,6 @@ which is the same on a busy machine.
 import statistics
 from contextlib import ExitStack
 
-import psutil
 from playwright.sync_api import Page, sync_playwright
 
 from tests.studio.conftest import CHROMIUM, SIZE
@@ -68,8 +67,7 @@ def _changed(page: Page, mark: str, number: int) -> dict[str, float]:
 
 def _processor_s(service: Running) -> float:
     """The processor time that the service and its processes have taken."""
-    process = psutil.Process(service.process.pid)
-    times = [each.cpu_times() for each in (process, *process.children(recursive=True))]
+    times = [each.cpu_times() for each in service.family()]
     return sum(each.user + each.system for each in times)
 
 

@@ -172,12 +172,8 @@ def _begun_message(service: Running) -> socket.socket:
     return connection
 
 
-def _nursery(service: Running) -> list[psutil.Process]:
-    return psutil.Process(service.process.pid).children()
-
-
-def _all(service: Running) -> list[psutil.Process]:
-    return psutil.Process(service.process.pid).children(recursive=True)
+def _all_but_itself(service: Running) -> list[psutil.Process]:
+    return service.family()[1:]
 
 
 @contextmanager
@@ -269,9 +265,9 @@ LIVE = (
     Disturbance("words that nobody has heard", _with(_saying, {"type": "words", "text": gibberish()})),
 )
 PROCESSES = (
-    Disturbance("the nursery killed", _with(_signalled, _nursery, signal.SIGKILL)),
-    Disturbance("the nursery stopped", _with(_signalled, _nursery, signal.SIGSTOP)),
-    Disturbance("nursery and workers killed at once", _with(_signalled, _all, signal.SIGKILL)),
+    Disturbance("the nursery killed", _with(_signalled, Running.nursery, signal.SIGKILL)),
+    Disturbance("the nursery stopped", _with(_signalled, Running.nursery, signal.SIGSTOP)),
+    Disturbance("nursery and workers killed at once", _with(_signalled, _all_but_itself, signal.SIGKILL)),
 )
 REQUESTS = (
     Disturbance("a profile of 100,000 brackets", _with(_repeated, _profile("[" * 100_000))),

@@ -13,7 +13,7 @@ import psutil
 from .asking import Client, in_threads
 from .bars import Bar, watched
 from .lines import usual
-from .watching import Running, family, memory_mb, watching
+from .watching import Running, memory_mb, watching
 
 ASKERS = 3
 """While workers are killed: one more than there are usually workers, so that one waits."""
@@ -35,7 +35,7 @@ def soaked(service: Running, count: int, clients: int, *, warm_up: int = WARM_UP
     for _ in range(0, count, part):
         with Client(service.port) as client:
             statuses.update(told.status for told in in_threads(client.ask_until_taken, islice(asked, part), clients))
-            looks.append((memory_mb(service.process.pid), descriptors(service.process.pid)))
+            looks.append((memory_mb(service.family()), descriptors(service)))
     print(f"{warm_up} requests to warm up and {count} of soak in {time.monotonic() - began_s:.0f} s: {dict(statuses)}")
     fifth = max(1, len(looks) // 5)
     for name, at in (("memory", 0), ("descriptors", 1)):
@@ -48,10 +48,10 @@ def soaked(service: Running, count: int, clients: int, *, warm_up: int = WARM_UP
     yield Bar(f"failures in {warm_up + count} requests of soak", str(failed), "0", failed == 0)
 
 
-def descriptors(pid: int) -> int:
+def descriptors(service: Running) -> int:
     """Files and sockets that the service's processes hold open together."""
     total = 0
-    for process in family(pid):
+    for process in service.family():
         try:
             total += process.num_fds()
         except (psutil.NoSuchProcess, psutil.AccessDenied):
@@ -93,6 +93,6 @@ def killed(service: Running, count: int, seed: int) -> Iterator[Bar]:
 
 def kill_one(service: Running, rng: random.Random) -> None:
     """Kills a worker, which is a child of the process that forks them."""
-    workers = [each for child in psutil.Process(service.process.pid).children() for each in child.children()]
+    workers = [each for nursery in service.nursery() for each in nursery.children()]
     if workers:
         rng.choice(workers).kill()

@@ -11,8 +11,8 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from http.client import HTTPConnection, HTTPException
 from multiprocessing import get_context
@@ -23,6 +23,7 @@ import psutil
 
 HOST = "127.0.0.1"
 _LISTENS = re.compile(rb"listening on http://[^:]+:(\d+)")
+_NURSERY = "understudy.api.workers.nursery"
 PROBE_EVERY_S = 0.02
 MEMORY_EVERY_S = 0.05
 LONGEST_PROBE_S = 60.0
@@ -30,10 +31,21 @@ LONGEST_PROBE_S = 60.0
 
 @dataclass(frozen=True, slots=True)
 class Running:
-    """A service's process, and the port it listens on."""
+    """A service's process, the port it listens on, and the session of all that its first nursery forks, which are
+    nobody's children when that has been killed."""
 
     process: subprocess.Popen[bytes]
     port: int
+    session: int
+
+    def family(self) -> list[psutil.Process]:
+        """All its processes, itself first."""
+        return family(self.process.pid, self.session)
+
+    def nursery(self) -> list[psutil.Process]:
+        """The process that forks workers: of those that loaded everything, the one with children that did."""
+        loaded = [each for each in self.family()[1:] if _NURSERY in _command(each)]
+        return [each for each in loaded if any(_NURSERY in _command(child) for child in _children(each))]
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,27 +78,32 @@ def serving(settings: Mapping[str, str] | None = None, *, log: Path | None = Non
     command = [sys.executable, "-m", "understudy.cli", "serve", "--port", "0"]
     with path.open("wb") as out:
         process = subprocess.Popen(command, env=os.environ | named, stdout=out, stderr=out)
-    children: list[psutil.Process] = []
+    running, forked = None, list[psutil.Process]()
     try:
-        yield Running(process, _port(process, path))
+        port = _port(process, path)
+        [nursery] = psutil.Process(process.pid).children()
+        running = Running(process, port, os.getsid(nursery.pid))
+        yield running
     finally:
-        if process.poll() is None:
-            children = psutil.Process(process.pid).children(recursive=True)
-            process.send_signal(signal.SIGTERM)
+        if running and process.poll() is None:
+            forked = running.family()[1:]
+        process.send_signal(signal.SIGTERM)
         try:
             process.wait(30)
         except subprocess.TimeoutExpired:
             process.kill()
-        for child in children:
-            if child.is_running():
-                child.kill()
+        for each in forked:
+            if each.is_running():
+                each.kill()
 
 
 @contextmanager
 def watching(service: Running) -> Iterator[Callable[[], Watched]]:
     """Watches until the function that is given is called."""
     ours, theirs = get_context("spawn").Pipe()
-    watcher = get_context("spawn").Process(target=_watch, args=(theirs, service.process.pid, service.port), daemon=True)
+    watcher = get_context("spawn").Process(
+        target=_watch, args=(theirs, service.process.pid, service.session, service.port), daemon=True
+    )
     watcher.start()
     theirs.close()
     ours.recv()
@@ -105,10 +122,10 @@ def watching(service: Running) -> Iterator[Callable[[], Watched]]:
             watcher.kill()
 
 
-def memory_mb(pid: int) -> float:
-    """The memory of a process and all below it, shared pages counted once."""
+def memory_mb(processes: Iterable[psutil.Process]) -> float:
+    """The memory of processes, shared pages counted once."""
     total = 0
-    for process in family(pid):
+    for process in processes:
         try:
             total += process.memory_full_info().pss
         except (psutil.NoSuchProcess, psutil.AccessDenied):
@@ -116,12 +133,30 @@ def memory_mb(pid: int) -> float:
     return total / 1e6
 
 
-def family(pid: int) -> list[psutil.Process]:
+def family(pid: int, session: int) -> list[psutil.Process]:
+    """A process, all below it, and all of a session."""
     try:
-        whole = psutil.Process(pid)
-        return [whole, *whole.children(recursive=True)]
+        found = [psutil.Process(pid), *psutil.Process(pid).children(recursive=True)]
     except psutil.NoSuchProcess:
         return []
+    known = {each.pid for each in found}
+    for other in psutil.pids():
+        with suppress(psutil.NoSuchProcess, ProcessLookupError):
+            if other not in known and os.getsid(other) == session:
+                found.append(psutil.Process(other))
+    return found
+
+
+def _command(process: psutil.Process) -> str:
+    with suppress(psutil.NoSuchProcess):
+        return " ".join(process.cmdline())
+    return ""
+
+
+def _children(process: psutil.Process) -> list[psutil.Process]:
+    with suppress(psutil.NoSuchProcess):
+        return process.children()
+    return []
 
 
 def _port(process: subprocess.Popen[bytes], log: Path) -> int:
@@ -133,17 +168,17 @@ def _port(process: subprocess.Popen[bytes], log: Path) -> int:
     raise RuntimeError(f"the service ended: {log.read_text()[-2000:]}")
 
 
-def _watch(pipe: Connection, pid: int, port: int) -> None:
+def _watch(pipe: Connection, pid: int, session: int, port: int) -> None:
     """Asks and looks until told that it is enough."""
     health_s: list[float] = []
-    peak_mb, looked_s = memory_mb(pid), time.monotonic()
+    peak_mb, looked_s = memory_mb(family(pid, session)), time.monotonic()
     pipe.send("ready")
     connection = HTTPConnection(HOST, port, timeout=LONGEST_PROBE_S)
     try:
         while not health_s or not pipe.poll(PROBE_EVERY_S):
             health_s.append(_asked(connection))
             if time.monotonic() - looked_s >= MEMORY_EVERY_S:
-                peak_mb, looked_s = max(peak_mb, memory_mb(pid)), time.monotonic()
+                peak_mb, looked_s = max(peak_mb, memory_mb(family(pid, session))), time.monotonic()
         pipe.send((health_s, peak_mb))
     except (EOFError, OSError):
         return

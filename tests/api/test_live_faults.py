@@ -16,7 +16,6 @@ from websockets.sync.client import ClientConnection, connect
 
 from tests.support.served import HOST, Served, served
 from understudy.api.workers.processes import Nursery
-from understudy.settings import Settings
 
 START = json.dumps({"type": "start", "frames": 60})
 PATIENCE_S = 60.0
@@ -51,14 +50,15 @@ def last(opened: ClientConnection) -> tuple[dict[str, object], int]:
 
 
 def live_processes(nursery: Nursery, running: Served) -> set[int]:
-    """The children of the nursery that are no workers of the pool."""
-    workers = {worker.process.pid for worker in running.service.pool._workers()}
-    return {child.pid for child in psutil.Process(nursery.pid).children()} - workers
+    """The children of the nursery that are neither workers of the pool nor would take its place."""
+    others = {worker.process.pid for worker in running.service.pool._workers()} | {nursery.next_pid}
+    return {child.pid for child in psutil.Process(nursery.pid).children()} - others
 
 
-def test_a_stream_begins_though_the_nursery_was_killed() -> None:
-    with Nursery.start(Settings()) as own, served(own) as running:
+def test_a_stream_begins_though_the_nursery_was_killed(nursery: Nursery) -> None:
+    with nursery.divided() as own, served(own) as running:
         pool = running.service.pool
+        own.require_next()
         os.kill(own.pid, signal.SIGKILL)
         with stream(running):
             assert pool.nursery is not own

@@ -87,13 +87,18 @@ class Fork:
 
 
 @dataclass(frozen=True, slots=True)
+class Divide:
+    """To the nursery, with a socket: fork a second nursery, with all that is loaded, at its other end."""
+
+
+@dataclass(frozen=True, slots=True)
 class Reload:
     """To the nursery: read rules, words, characters and gestures again."""
 
 
 @dataclass(frozen=True, slots=True)
 class Ready:
-    """From a worker, first: its process id, and its memory at that time, which is shared, bytes."""
+    """From a forked process, first: its process id, and its memory at that time, which is shared, bytes."""
 
     pid: int
     shared_bytes: int
@@ -115,7 +120,9 @@ class LiveOutput:
     are_frames: bool
 
 
-Message: TypeAlias = Job | Answer | JobFailure | Start | LoadedLibrary | Fork | Reload | Ready | LiveInput | LiveOutput
+Message: TypeAlias = (
+    Job | Answer | JobFailure | Start | LoadedLibrary | Fork | Divide | Reload | Ready | LiveInput | LiveOutput
+)
 
 
 def send(to: socket.socket, message: Message, content: Content = b"", *, pass_on: tuple[int, ...] = ()) -> None:

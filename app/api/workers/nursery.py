@@ -14,10 +14,11 @@ import sys
 import tempfile
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Never
 
 import numpy as np
+import psutil
 from pydantic import BaseModel
 
 from ...authoring.catalogue import Catalogue, ItemKind
@@ -36,7 +37,7 @@ from ...options import Options
 from ...schemas.gestures.language import GestureLanguageResponse
 from ...schemas.library import CharactersResponse, GesturesResponse, RulesResponse
 from .live_worker import stream
-from .messages import Fork, JobFailure, LoadedLibrary, Reload, Start, receive, send
+from .messages import Divide, Fork, JobFailure, LoadedLibrary, Ready, Reload, Start, receive, send
 from .worker import work
 
 LISTENED_S = 3.0
@@ -69,25 +70,50 @@ def main(control: socket.socket) -> None:
         send(control, LoadedLibrary(_library(understudy)))
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # ended workers are reaped by the kernel
     with suppress(EOFError), tempfile.TemporaryFile() as turns:  # the service has closed its end
+        nursery = _Forking(control, models, turns.fileno())
         if start.is_renewal:
-            models = _obey(control, models, turns.fileno(), idle_s=IDLE_S)
-            _warm(models)
-        _obey(control, models, turns.fileno())
+            nursery.obey(idle_s=IDLE_S)
+            _warm(nursery.models)
+        nursery.obey()
 
 
-def _obey(control: socket.socket, models: LiveModels, turns: int, idle_s: float | None = None) -> LiveModels:
-    """Forks and reloads on request; returns the models after `idle_s` without a request. `turns` is the file by which
-    streams take turns. Raises EOFError when the socket closes."""
-    while select.select([control], [], [], idle_s)[0]:
-        message, _, descriptors = receive(control)
-        if isinstance(message, Reload):
-            models = _reloaded(control, models)
-        elif isinstance(message, Fork):
-            with socket.socket(fileno=descriptors[0]) as service:
-                if os.fork() == 0:
-                    control.close()
-                    _be_worker(service, models, message, turns)
-    return models
+@dataclass(slots=True)
+class _Forking:
+    """What a nursery does once all is loaded. `turns` is the file by which streams take turns."""
+
+    control: socket.socket
+    models: LiveModels
+    turns: int
+
+    def obey(self, idle_s: float | None = None) -> None:
+        """Forks and reloads on request; returns after `idle_s` without a request. Raises EOFError when the socket
+        closes."""
+        while select.select([self.control], [], [], idle_s)[0]:
+            message, _, descriptors = receive(self.control)
+            match message:
+                case Reload():
+                    self.models = _reloaded(self.control, self.models)
+                case Fork():
+                    self._fork(message, socket.socket(fileno=descriptors[0]))
+                case Divide():
+                    self._divide(socket.socket(fileno=descriptors[0]))
+
+    def _fork(self, fork: Fork, service: socket.socket) -> None:
+        with service:
+            if os.fork() == 0:
+                self.control.close()
+                _be_worker(service, self.models, fork, self.turns)
+
+    def _divide(self, control: socket.socket) -> None:
+        """Both processes go on in the same place; the new one obeys the new socket, and rests until it is needed."""
+        if os.fork():
+            control.close()
+            return
+        self.control.close()
+        self.control = control
+        with suppress(BrokenPipeError):
+            send(control, Ready(os.getpid(), psutil.Process().memory_info().rss))
+        select.select([control], [], [])
 
 
 def _warm(models: LiveModels) -> None:

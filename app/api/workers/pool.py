@@ -53,6 +53,7 @@ class Pool:
         self._times = ServiceTimes()
         self._turns = Turns()
         self._renewing: asyncio.Task[None] | None = None
+        self._dividing: asyncio.Task[None] | None = None
         self._watch: asyncio.Task[None] | None = None
         self._seen: tuple[WorkerState, ...] = ()
         self._is_stopping = False
@@ -72,8 +73,7 @@ class Pool:
         for task in ending:
             task.cancel()
         await asyncio.gather(*ending, return_exceptions=True)
-        if self._renewing is not None:
-            await self._renewing
+        await asyncio.gather(*(task for task in (self._renewing, self._dividing) if task is not None))
         workers = list(self._workers())
         for worker in workers:
             worker.end()
@@ -294,8 +294,8 @@ class Pool:
         nursery = self.nursery
         self._seen = await asyncio.to_thread(look, tuple(jobs), self._settings.worker_memory_bytes)
         hangs = await asyncio.to_thread(is_stopped, nursery.pid)
-        if (hangs or nursery.has_ended) and not self._is_closed:
-            self._renew_soon(nursery)
+        if not self._is_closed:
+            self._look_after(nursery, is_well=not hangs and not nursery.has_ended)
         for seen in self._seen:
             if seen.is_too_large and seen.worker.jobs == jobs[seen.worker]:  # else its job is another by now
                 seen.worker.given_up = too_large(self._settings.worker_memory_bytes)
@@ -304,6 +304,13 @@ class Pool:
                 self._dismiss(seen.worker)
             elif seen.trouble and seen.worker in self._busy:
                 seen.worker.kill()
+
+    def _look_after(self, nursery: Nursery, *, is_well: bool) -> None:
+        """Replaces a nursery that is not well; for one that is sees to it that another can take its place."""
+        if not is_well:
+            self._renew_soon(nursery)
+        elif self._dividing is None or self._dividing.done():
+            self._dividing = asyncio.create_task(asyncio.to_thread(nursery.require_next))
 
     def _workers(self) -> Iterable[Worker]:
         yield from self._idle

@@ -10,6 +10,7 @@ import time
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any, Self
 
 import psutil
@@ -20,6 +21,7 @@ from .families import family_of
 from .messages import (
     Answer,
     Content,
+    Divide,
     Fork,
     Job,
     JobFailure,
@@ -37,6 +39,8 @@ COMMAND = (sys.executable, "-m", "understudy.api.workers.nursery")
 _ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 """Matrix products stay on one core: a line is too short to share."""
 
+_DIVIDES_WITHIN_S, _ENDS_WITHIN_S = 10.0, 10.0
+
 
 @dataclass(frozen=True, slots=True)
 class _Origin:
@@ -52,14 +56,22 @@ class WorkerLostError(Exception):
 
 
 class Nursery:
-    """The service's handle of the process that loads everything and forks workers."""
+    """The service's handle of the process that loads everything and forks workers, and of its understudy: a second one,
+    forked from it, which takes its place at once when it ends."""
 
-    def __init__(self, process: subprocess.Popen[bytes], control: socket.socket, origin: "_Origin") -> None:
+    def __init__(
+        self,
+        process: "subprocess.Popen[bytes] | psutil.Process",
+        control: socket.socket,
+        origin: "_Origin",
+        library: Mapping[str, bytes] = MappingProxyType({}),
+    ) -> None:
         self._process = process
         self._control = control
         self._origin = origin
         self._turn = threading.Lock()
-        self.library: Mapping[str, bytes] = {}
+        self._next: Nursery | None = None
+        self.library = library
 
     @classmethod
     def start(
@@ -98,13 +110,53 @@ class Nursery:
         return self._process.pid
 
     @property
+    def next_pid(self) -> int | None:
+        """The process id of its understudy, None without one."""
+        return self._next.pid if self._next else None
+
+    @property
     def has_ended(self) -> bool:
         """Whether the process has ended."""
-        return self._process.poll() is not None
+        return _is_closed(self._control)
+
+    def divided(self) -> "Nursery":
+        """A second nursery, forked from this one with all that it has loaded. Raises EOFError or OSError when this one
+        has ended or hangs."""
+        library, (ours, its) = self.library, socket.socketpair()
+        try:
+            with its, self._turn:
+                send(self._control, Divide(), pass_on=(its.fileno(),))
+            ours.settimeout(_DIVIDES_WITHIN_S)
+            ready, _, _ = receive(ours)
+            ours.settimeout(None)
+            assert isinstance(ready, Ready)
+            return Nursery(psutil.Process(ready.pid), ours, self._origin, library)
+        except psutil.NoSuchProcess:
+            ours.close()
+            raise EOFError from None
+        except BaseException:
+            ours.close()
+            raise
+
+    def require_next(self) -> None:
+        """Sees to it that there is one to take its place, unless it has ended itself."""
+        if self._next is None or self._next.has_ended:
+            with suppress(EOFError, OSError):
+                following = self.divided()
+                if following.library is self.library:
+                    self._replace_next(following)
+                else:  # files were read again meanwhile
+                    following.close()
 
     def again(self) -> "Nursery":
-        """Closes this nursery and starts a replacement; raises as `start` does."""
+        """Closes this nursery and returns the one that takes its place, or starts a replacement; raises as `start`
+        does."""
+        following, self._next = self._next, None
         self.close()
+        if following is not None:
+            if not following.has_ended:
+                return following
+            following.close()
         origin = self._origin
         return Nursery.start(origin.settings, logging=origin.logging, command=origin.command, is_renewal=True)
 
@@ -130,18 +182,26 @@ class Nursery:
         except OSError:
             raise _ended() from None
         self._wait()
+        self._replace_next(None)
 
     def close(self) -> None:
         """Ends the process; workers run until their own sockets are closed."""
+        self._replace_next(None)
         self._control.close()
-        self._process.kill()
-        self._process.wait()
+        with suppress(psutil.NoSuchProcess, psutil.TimeoutExpired):
+            self._process.kill()
+            self._process.wait(_ENDS_WITHIN_S)
 
     def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_exception: object) -> None:
         self.close()
+
+    def _replace_next(self, following: "Nursery | None") -> None:
+        old, self._next = self._next, following
+        if old is not None:
+            old.close()
 
     def _wait(self) -> None:
         try:
@@ -199,12 +259,7 @@ class Worker:
     @property
     def has_ended(self) -> bool:
         """Whether its end of the socket is closed; a killed process may still be listed as a zombie."""
-        try:
-            return not self.socket.recv(1, socket.MSG_PEEK | socket.MSG_DONTWAIT)
-        except BlockingIOError:
-            return False
-        except OSError:
-            return True
+        return _is_closed(self.socket)
 
     def end(self) -> None:
         """Kills it with its children and closes its socket."""
@@ -217,6 +272,16 @@ class Worker:
             for each in family_of(self.process):
                 with suppress(psutil.NoSuchProcess):
                     each.kill()
+
+
+def _is_closed(ours: socket.socket) -> bool:
+    """Whether the other end of a socket is closed, or this one."""
+    try:
+        return not ours.recv(1, socket.MSG_PEEK | socket.MSG_DONTWAIT)
+    except BlockingIOError:
+        return False
+    except OSError:
+        return True
 
 
 def wait_until_gone(workers: Sequence[Worker], longest_s: float = 2.0) -> None:

@@ -43,7 +43,8 @@ async def _until(holds: Callable[[], bool]) -> None:
 
 
 def _children(pool: Pool) -> set[int]:
-    return {child.pid for child in psutil.Process(pool.nursery.pid).children()}
+    """The workers: all that the nursery has forked but the one that would take its place."""
+    return {child.pid for child in psutil.Process(pool.nursery.pid).children()} - {pool.nursery.next_pid}
 
 
 def _is_running(pid: int) -> bool:
@@ -113,8 +114,14 @@ def test_who_comes_again_when_told_is_served_before_who_comes_first(nursery: Nur
     asyncio.run(scenario())
 
 
-def test_a_nursery_that_was_killed_is_renewed_though_nobody_needs_it_and_one_that_hangs_is_ended() -> None:
-    """What is wrong is told meanwhile."""
+async def _has_next(pool: Pool) -> int:
+    """The process that would take the nursery's place, once there is one."""
+    await _until(lambda: pool.nursery.next_pid is not None)
+    return pool.nursery.next_pid or 0
+
+
+def test_a_nursery_that_was_killed_is_renewed_though_nobody_needs_it(nursery: Nursery) -> None:
+    """Here from nothing, for nothing was forked to take its place. What is wrong is told meanwhile."""
 
     async def scenario(own: Nursery) -> None:
         async with _pool(own) as pool:
@@ -127,15 +134,46 @@ def test_a_nursery_that_was_killed_is_renewed_though_nobody_needs_it_and_one_tha
             await asyncio.sleep(1.5 * IDLE_S)  # so that it warms up, which must not keep it from forking
             _kill(pool)
             await _short(pool)
-            renewed = pool.nursery
-            os.kill(renewed.pid, signal.SIGSTOP)
-            _kill(pool)
-            await _short(pool)
-            await _until(lambda: pool.nursery is not renewed)
-            await _short(pool)
 
-    with Nursery.start(Settings()) as own:
+    with nursery.divided() as own:
         asyncio.run(scenario(own))
+
+
+def test_another_takes_the_place_of_one_that_was_killed_or_hangs_at_once_and_again(nursery: Nursery) -> None:
+    async def scenario(own: Nursery) -> None:
+        async with _pool(own) as pool:
+            for number in (signal.SIGKILL, signal.SIGSTOP, signal.SIGKILL):
+                failed, following = pool.nursery, await _has_next(pool)
+                os.kill(failed.pid, number)
+                _kill(pool)
+                await _until(lambda failed=failed: pool.nursery is not failed)  # type: ignore[misc]
+                assert pool.nursery.pid == following
+                await _short(pool)
+            assert not _is_running(failed.pid)
+
+    with nursery.divided() as own:
+        asyncio.run(scenario(own))
+
+
+def test_one_that_was_killed_itself_takes_nobody_s_place(nursery: Nursery) -> None:
+    with nursery.divided() as own:
+        own.require_next()
+        first = own.next_pid
+        assert first
+        os.kill(first, signal.SIGKILL)
+        while _is_running(first):
+            pass
+        own.require_next()
+        assert own.next_pid not in (None, first)
+
+
+def test_a_nursery_ends_with_those_that_would_take_its_place(nursery: Nursery) -> None:
+    with nursery.divided() as own:
+        own.require_next()
+        assert own.next_pid
+        family = [psutil.Process(pid) for pid in (own.pid, own.next_pid)]
+    _gone, alive = psutil.wait_procs(family, PATIENCE_S)
+    assert alive == []
 
 
 def test_waiting_ends(nursery: Nursery) -> None:
