@@ -144,7 +144,7 @@ class TakeChoice(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Missing:
+class UnmatchedLine:
     """A line without a recording, and the stem of the unused recording that may have been meant for it, or the
     recording that is there and cannot be read here."""
 
@@ -159,7 +159,7 @@ class JoinedLines:
     line, and lines with the same recording."""
 
     takes: tuple[Take, ...]
-    missing: tuple[Missing, ...] = ()
+    missing: tuple[UnmatchedLine, ...] = ()
     unused: tuple[Path, ...] = ()
     rivals: tuple[tuple[ScriptLine, tuple[Path, ...]], ...] = ()
     shared: tuple[tuple[Path, tuple[ScriptLine, ...]], ...] = ()
@@ -185,7 +185,9 @@ def join_recordings(
     return JoinedLines(
         takes,
         tuple(
-            Missing(line, near.nearest(_wanted(line)), next((file.path for file, _take in unreadable_of(line)), None))
+            UnmatchedLine(
+                line, near.nearest(_wanted(line)), next((file.path for file, _take in unreadable_of(line)), None)
+            )
             for line, candidates in chosen
             if not candidates
         ),
@@ -198,7 +200,7 @@ def join_recordings(
 def join_one_recording(lines: Sequence[ScriptLine], recording: Path) -> JoinedLines:
     """Lines cut out of one recording by their times; lines without times are missing."""
     takes = [Take(line.id, line, Recording(recording, line.interval), line.take) for line in lines if line.interval]
-    return JoinedLines(tuple(takes), tuple(Missing(line, None) for line in lines if not line.interval))
+    return JoinedLines(tuple(takes), tuple(UnmatchedLine(line, None) for line in lines if not line.interval))
 
 
 def _finder(files: Sequence[RecordingFile], pattern: RecordingPattern | None) -> Callable[[ScriptLine], Candidates]:

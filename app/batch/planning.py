@@ -20,7 +20,7 @@ from .audio import AudioSource, advice, converter, is_compressed
 from .casting import NOBODY_CAST, Casting, read_cast
 from .layout import file_name, require_apart
 from .manifest.store import ManifestEntry, State
-from .matching import JoinedLines, Missing, find_recordings, join_one_recording, join_recordings
+from .matching import JoinedLines, UnmatchedLine, find_recordings, join_one_recording, join_recordings
 from .model import RowProblem, Script, Take, place_told
 from .request import BatchRequest
 from .scripts.reading import read_script
@@ -104,7 +104,7 @@ def hopeless_entries(plan: BatchPlan) -> Iterator[ManifestEntry]:
         place += 1
 
 
-def without_audio(missing: Missing, unit: str = "row") -> str:
+def without_audio(missing: UnmatchedLine, unit: str = "row") -> str:
     """The message about a line without a recording; `unit` is what rows are called in the script."""
     hint = f"; did you mean {missing.near!r}?" if missing.near else ""
     hint = f": {advice(missing.unreadable)}" if missing.unreadable else hint

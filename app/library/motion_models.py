@@ -36,7 +36,7 @@ __all__ = [
     "Correlation",
     "Learning",
     "MotionModel",
-    "Moving",
+    "MotionSource",
     "Pair",
     "Scores",
     "Search",
@@ -62,7 +62,7 @@ MOST_MISTAKES = 20
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Moving:
+class MotionSource:
     """What moves a body by a model: the voice, the scenario (`SCENARIOS`), and how the best path is searched."""
 
     model: MotionModel
@@ -179,20 +179,20 @@ def scenario_named(name: str) -> Scenario:
 
 def moving_by(
     model: MotionModel, analysis: Analysis, affect: AffectTrack | None, scenario: Scenario, search: Search = EVERYTHING
-) -> Moving:
+) -> MotionSource:
     """The motion of an analysed recording by a model; `affect` replaces the one estimated from the voice."""
     assert analysis.heard is not None, "a recording is heard"
     contours = analysis.heard.contours
-    return Moving(model, heard_voice(contours.energy_db, contours.f0_hz, affect, _estimator()), scenario, search)
+    return MotionSource(model, heard_voice(contours.energy_db, contours.f0_hz, affect, _estimator()), scenario, search)
 
 
 def moving_by_recording(
     model: MotionModel, audio: bytes, settings: Settings, scenario: Scenario, affect: AffectTrack | None = None
-) -> Moving:
+) -> MotionSource:
     """The motion of a recording that nobody has analysed by a model. Raises as the decoding of sound does."""
     sound, _ = decode(audio, audio_limits(settings))
     contours = contours_of(sound)
-    return Moving(model, heard_voice(contours.energy_db, contours.f0_hz, affect, _estimator()), scenario)
+    return MotionSource(model, heard_voice(contours.energy_db, contours.f0_hz, affect, _estimator()), scenario)
 
 
 def realize_by_model(
@@ -223,7 +223,12 @@ def realize_by_model(
 
 
 def realize_moving(
-    realizer: Realizer, prepared: PreparedSchedule, moving: Moving, *, frame_rate_hz: int = 60, tail_s: float = 0.0
+    realizer: Realizer,
+    prepared: PreparedSchedule,
+    moving: MotionSource,
+    *,
+    frame_rate_hz: int = 60,
+    tail_s: float = 0.0,
 ) -> RealizedSchedule:
     """The motion of a schedule whose arms, and whatever else the model has learnt, move as in its recordings."""
 

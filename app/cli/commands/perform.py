@@ -88,7 +88,7 @@ def _name(function: Function) -> str:
 
 
 if TYPE_CHECKING:
-    from ...library.motion_models import Moving
+    from ...library.motion_models import MotionSource
     from ...library.performing import PerformedLine
 
 
@@ -118,7 +118,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
     return 0
 
 
-def _movement(arguments: argparse.Namespace) -> Callable[[Analysis, AffectTrack | None], Moving] | None:
+def _movement(arguments: argparse.Namespace) -> Callable[[Analysis, AffectTrack | None], MotionSource] | None:
     """The movement by a motion model, if one is requested. Raises InputError `motion_model`, `usage`."""
     if arguments.motion_model is None:
         if arguments.scenario:

@@ -20,7 +20,7 @@ from .plot import require_plot
 
 if TYPE_CHECKING:
     from ...library.motion import Decision, PreparedSchedule, RealizedSchedule, Realizer
-    from ...library.motion_models import Moving
+    from ...library.motion_models import MotionSource
 
 LARGEST_AVATAR_BYTES = 256 << 20
 
@@ -82,7 +82,7 @@ def write_motions(
     audio: AudioFile | None,
     log: Log,
     *,
-    moving: Moving | None = None,
+    moving: MotionSource | None = None,
 ) -> None:
     """Realizes the schedule once, `moving` by a motion model if there is one, and writes it to every name; decisions
     are logged. Files refer to the recording by its path relative to them."""
@@ -113,7 +113,7 @@ def export_motions(
 
 
 def _realized(
-    realizer: Realizer, staged: PreparedSchedule, options: MotionOptions, moving: Moving | None
+    realizer: Realizer, staged: PreparedSchedule, options: MotionOptions, moving: MotionSource | None
 ) -> RealizedSchedule:
     if moving is not None:
         from ...library.motion_models import realize_moving

@@ -43,7 +43,7 @@ POSTURES: Mapping[str, str | None] = MappingProxyType(
 
 PREPARATION_SPEED_M_S = 1.1
 RETRACTION_SPEED_M_S = 1.0
-"""Ours, for wrists as fast as storytellers' (docs/measurements/bodies.md, Life in the body)."""
+"""Ours, for wrists as fast as storytellers' (docs/measurements/bodies.md, Liveliness)."""
 TOP_SPEED_M_S = 1.25
 """The fastest mean speed of a way. Its peak is 1.9 times the mean: 2 m/s, people's 99th percentile."""
 CHANGE_SPEED_M_S = 0.6

@@ -48,7 +48,7 @@ FEWEST_OF_SPEAKERS = 2
 AGAIN = "again"
 """Suffix of the name of the second clip in an identical pair."""
 
-Told = Callable[[str, Sequence[Notice]], None]
+LineReport = Callable[[str, Sequence[Notice]], None]
 """Called when a line's clips are made, with a message (the line's name and a summary of its clips) and its notices."""
 
 
@@ -69,17 +69,17 @@ class _Motions:
     """A line's motions by condition, the notices about them, and the reason if they look alike."""
 
     by_condition: Mapping[str, RealizedSchedule]
-    told: str
+    summary: str
     alike: str = ""
 
 
-def make_study(request: StudyRequest, models: Understudy, told: Told) -> int:
+def make_study(request: StudyRequest, models: Understudy, report: LineReport) -> int:
     """Writes the page and the key of its clips; returns the number of rounds.
 
     Raises InputError if a line cannot be read or performed, if no line shows a difference, or if the files cannot be
     written.
     """
-    every = [_rendered(request, models, line, told) for line in read_lines(request.source, request.options)]
+    every = [_rendered(request, models, line, report) for line in read_lines(request.source, request.options)]
     rendered = [line for line in every if line.differs]
     if not rendered:
         advice = ADVICE.get(request.comparison, "take other lines")
@@ -123,7 +123,7 @@ def _rounds(
     return tuple(rounds), again
 
 
-def _rendered(request: StudyRequest, models: Understudy, line: StudyLine, told: Told) -> RenderedLine:
+def _rendered(request: StudyRequest, models: Understudy, line: StudyLine, report: LineReport) -> RenderedLine:
     """Raises InputError with the line's name."""
     try:
         motions = _motions(request, models, line)
@@ -133,7 +133,7 @@ def _rendered(request: StudyRequest, models: Understudy, line: StudyLine, told: 
     clips = {name: blind_clip(models, motion) for name, motion in motions.by_condition.items()}
     left_out = f"; {motions.alike}: left out" if motions.alike else ""
     notices = next(iter(motions.by_condition.values())).motion.notices
-    told(f"{line.id}: {motions.told}{left_out}", notices)
+    report(f"{line.id}: {motions.summary}{left_out}", notices)
     return RenderedLine(line.id, clips, sound, line.options.character, not motions.alike)
 
 
@@ -153,8 +153,8 @@ def _motions(request: StudyRequest, models: Understudy, line: StudyLine) -> _Mot
 
 def _gesturing(found: Mapping[str, RealizedSchedule]) -> _Motions:
     gestures = {name: [each for each in one.schedule.behaviors if _is_made(each)] for name, one in found.items()}
-    told = f"gestures: {', '.join(f'{name} {len(made)}' for name, made in gestures.items())}"
-    return _Motions(found, told, "both have the same gestures" if _alike(*gestures.values()) else "")
+    summary = f"gestures: {', '.join(f'{name} {len(made)}' for name, made in gestures.items())}"
+    return _Motions(found, summary, "both have the same gestures" if _alike(*gestures.values()) else "")
 
 
 def _in_modes(models: Understudy, line: StudyLine) -> _Motions:
@@ -162,8 +162,8 @@ def _in_modes(models: Understudy, line: StudyLine) -> _Motions:
     motions = {name: realized(models, PreparedSchedule.of(each)) for name, each in performances.items()}
     gestures = {name: [each for each in found.behaviors if _is_made(each)] for name, found in performances.items()}
     same = [f"{one} and {other}" for one, other in combinations(gestures, 2) if _alike(gestures[one], gestures[other])]
-    told = f"gestures: {', '.join(f'{name} {len(made)}' for name, made in gestures.items())}"
-    return _Motions(motions, told, f"{', '.join(same)} have the same gestures" if same else "")
+    summary = f"gestures: {', '.join(f'{name} {len(made)}' for name, made in gestures.items())}"
+    return _Motions(motions, summary, f"{', '.join(same)} have the same gestures" if same else "")
 
 
 def _alike(*performances: Sequence[Behavior]) -> bool:
@@ -177,8 +177,10 @@ def _is_made(behavior: Behavior) -> bool:
 
 def _in_versions(models: Understudy, line: StudyLine) -> _Motions:
     found = in_units_and_singly(models, line)
-    told = f"{found.gestures} gestures, {found.rests} holds of U are rests in S, {found.given_up} had no time to rest"
-    return _Motions(found.motions, told, "" if found.rests else "both versions are the same")
+    summary = (
+        f"{found.gestures} gestures, {found.rests} holds of U are rests in S, {found.given_up} had no time to rest"
+    )
+    return _Motions(found.motions, summary, "" if found.rests else "both versions are the same")
 
 
 class _Coding:

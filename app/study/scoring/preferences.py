@@ -14,7 +14,7 @@ from types import MappingProxyType
 from scipy import stats
 
 from ..comparison import CONDITIONS, Comparison
-from .reading import Preferred, by_rater
+from .reading import PreferenceAnswer, by_rater
 from .samples import (
     FEWEST,
     GroupDifference,
@@ -57,7 +57,7 @@ class PreferenceStatistics:
 
 
 def preference_statistics(
-    comparison: Comparison, preferred: Sequence[Preferred], groups: Mapping[str, str] = MappingProxyType({})
+    comparison: Comparison, preferred: Sequence[PreferenceAnswer], groups: Mapping[str, str] = MappingProxyType({})
 ) -> PreferenceStatistics:
     """The statistics of a study; `groups` maps raters to their groups. Raises InputError `too_few_answers` for fewer
     than two raters."""
@@ -74,14 +74,14 @@ def preference_statistics(
     )
 
 
-def _turned(answer: Preferred, order: Sequence[str]) -> Preferred:
+def _turned(answer: PreferenceAnswer, order: Sequence[str]) -> PreferenceAnswer:
     """The answer with its conditions in the order of the table."""
     if order.index(answer.first) <= order.index(answer.second):
         return answer
-    return Preferred(answer.rater, answer.line, answer.second, answer.first, -answer.preference)
+    return PreferenceAnswer(answer.rater, answer.line, answer.second, answer.first, -answer.preference)
 
 
-def _pair(first: str, second: str, answers: Sequence[Preferred], groups: Mapping[str, str]) -> PairStatistics:
+def _pair(first: str, second: str, answers: Sequence[PreferenceAnswer], groups: Mapping[str, str]) -> PairStatistics:
     means = {rater: fmean(each.preference for each in own) for rater, own in by_rater(answers).items()}
     values = [*means.values()]
     return PairStatistics(

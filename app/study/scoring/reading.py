@@ -73,7 +73,7 @@ class Understanding:
 
 
 @dataclass(frozen=True, slots=True)
-class Preferred:
+class PreferenceAnswer:
     """How much better a rater found the second of two clips of a line, from -`MUCH` to `MUCH`."""
 
     rater: str
@@ -84,7 +84,7 @@ class Preferred:
 
 
 @dataclass(frozen=True, slots=True)
-class Named:
+class RecognitionAnswer:
     """A rater's answer to whose gestures a clip shows, seen alone or `beside` another speaker's."""
 
     rater: str
@@ -106,8 +106,8 @@ class Answers:
     ratings: tuple[Rating, ...] = ()
     verdicts: tuple[Verdict, ...] = ()
     understood: tuple[Understanding, ...] = ()
-    preferred: tuple[Preferred, ...] = ()
-    named: tuple[Named, ...] = ()
+    preferred: tuple[PreferenceAnswer, ...] = ()
+    named: tuple[RecognitionAnswer, ...] = ()
     groups: Mapping[str, str] = field(default_factory=dict)
 
 
@@ -183,8 +183,8 @@ class _TableReading:
         self._ratings: list[Rating] = []
         self._verdicts: list[Verdict] = []
         self._understood: list[Understanding] = []
-        self._preferred: list[Preferred] = []
-        self._named: list[Named] = []
+        self._preferred: list[PreferenceAnswer] = []
+        self._named: list[RecognitionAnswer] = []
         self._groups: dict[str, str] = {}
         self._first: dict[tuple[str, ...], TableRow] = {}
 
@@ -305,7 +305,7 @@ class _TableReading:
             return
         pair = sorted((first.condition, second.condition))
         if self._is_new(row, row.cells["rater"], first.line, *pair, row.cells.get("trial", "")):
-            answer = Preferred(row.cells["rater"], first.line, first.condition, second.condition, preference)
+            answer = PreferenceAnswer(row.cells["rater"], first.line, first.condition, second.condition, preference)
             self._preferred.append(answer)
 
     def _naming(self, row: TableRow) -> None:
@@ -316,7 +316,7 @@ class _TableReading:
         if not answer or answer not in speakers:
             self._mistakes.append(row.refused("answer", f"give a speaker: {', '.join(sorted(speakers)) or 'by name'}"))
         elif shown is not None and self._is_new(row, row.cells["rater"], shown.line, shown.condition, str(beside)):
-            self._named.append(Named(row.cells["rater"], shown.line, shown.condition, answer, beside))
+            self._named.append(RecognitionAnswer(row.cells["rater"], shown.line, shown.condition, answer, beside))
 
     def _is_new(self, row: TableRow, *answered: str) -> bool:
         """Whether this rater has not answered this before; a repeated answer is a mistake."""
@@ -328,7 +328,7 @@ class _TableReading:
         return first is row
 
 
-Answer = TypeVar("Answer", Rating, Verdict, Preferred, Named)
+Answer = TypeVar("Answer", Rating, Verdict, PreferenceAnswer, RecognitionAnswer)
 
 
 def by_rater(answers: Iterable[Answer]) -> dict[str, list[Answer]]:

@@ -14,7 +14,7 @@ from types import MappingProxyType
 
 from scipy import stats
 
-from .reading import Named, by_rater
+from .reading import RecognitionAnswer, by_rater
 from .samples import (
     FEWEST,
     GroupDifference,
@@ -59,7 +59,7 @@ class RecognitionStatistics:
 
 
 def recognition_statistics(
-    named: Sequence[Named], groups: Mapping[str, str] = MappingProxyType({})
+    named: Sequence[RecognitionAnswer], groups: Mapping[str, str] = MappingProxyType({})
 ) -> RecognitionStatistics:
     """The statistics of a study; `groups` maps raters to their groups. Raises InputError `too_few_answers` for fewer
     than two raters or two speakers."""
@@ -76,7 +76,7 @@ def recognition_statistics(
     )
 
 
-def _test(named: Sequence[Named], speakers: int, groups: Mapping[str, str]) -> RecognitionTest:
+def _test(named: Sequence[RecognitionAnswer], speakers: int, groups: Mapping[str, str]) -> RecognitionTest:
     shares = {rater: fmean(each.is_right for each in own) for rater, own in by_rater(named).items()}
     right, chance = sum(each.is_right for each in named), 1 / speakers
     return RecognitionTest(

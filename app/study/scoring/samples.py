@@ -157,18 +157,18 @@ SIZES_OF_F = (0.1, 0.25, 0.4)
 
 
 @dataclass(frozen=True, slots=True)
-class Needed:
+class SampleSize:
     """The number of raters that find an effect of this size with probability `POWER`."""
 
     size: float
     raters: int
 
 
-def raters_needed(comparison: Comparison, conditions: int) -> tuple[Needed, ...]:
+def raters_needed(comparison: Comparison, conditions: int) -> tuple[SampleSize, ...]:
     """The number of raters needed to find a small, a medium and a large effect in this comparison."""
     if comparison is Comparison.MODES:
-        return tuple(Needed(size, _fewest(partial(power_of_f, size, conditions))) for size in SIZES_OF_F)
-    return tuple(Needed(size, _fewest(partial(power_of_t, size))) for size in SIZES_OF_T)
+        return tuple(SampleSize(size, _fewest(partial(power_of_f, size, conditions))) for size in SIZES_OF_F)
+    return tuple(SampleSize(size, _fewest(partial(power_of_t, size))) for size in SIZES_OF_T)
 
 
 def power_of_t(d: float, raters: int) -> float:

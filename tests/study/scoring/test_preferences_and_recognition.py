@@ -5,16 +5,16 @@ import pytest
 from understudy.errors import InputError
 from understudy.study.comparison import Comparison
 from understudy.study.scoring.preferences import preference_statistics
-from understudy.study.scoring.reading import Named, Preferred
+from understudy.study.scoring.reading import PreferenceAnswer, RecognitionAnswer
 from understudy.study.scoring.recognition import ALONE, BESIDE, recognition_statistics
 
 
 def test_preferences_are_for_the_pair_in_the_table_s_order() -> None:
     answers = [
-        Preferred("r1", "l1", "offline", "random", -2),
-        Preferred("r1", "l2", "random", "offline", 1),
-        Preferred("r2", "l1", "random", "offline", 1),
-        Preferred("r2", "l3", "live", "live", 0),
+        PreferenceAnswer("r1", "l1", "offline", "random", -2),
+        PreferenceAnswer("r1", "l2", "random", "offline", 1),
+        PreferenceAnswer("r2", "l1", "random", "offline", 1),
+        PreferenceAnswer("r2", "l3", "live", "live", 0),
     ]
     pair, same = preference_statistics(Comparison.WAYS, answers, {"r1": "DE", "r2": "US"}).pairs
     assert (pair.first, pair.second, pair.answers, pair.neither) == ("offline", "random", 3, 0)
@@ -25,8 +25,8 @@ def test_preferences_are_for_the_pair_in_the_table_s_order() -> None:
     assert (same.first, same.second, same.mean, same.wilcoxon_p) == ("live", "live", 0, None)
 
 
-def _named(right: int, raters: int, *, beside: bool) -> list[Named]:
-    return [Named(f"r{n}", "l", "JL", "JL" if n < right else "MR", beside) for n in range(raters)]
+def _named(right: int, raters: int, *, beside: bool) -> list[RecognitionAnswer]:
+    return [RecognitionAnswer(f"r{n}", "l", "JL", "JL" if n < right else "MR", beside) for n in range(raters)]
 
 
 def test_recognition_has_the_paper_s_figures() -> None:
@@ -45,6 +45,6 @@ def test_recognition_has_the_paper_s_figures() -> None:
 
 def test_one_rater_is_too_few() -> None:
     with pytest.raises(InputError, match="1 raters"):
-        preference_statistics(Comparison.WAYS, [Preferred("r1", "l", "live", "random", 1)])
+        preference_statistics(Comparison.WAYS, [PreferenceAnswer("r1", "l", "live", "random", 1)])
     with pytest.raises(InputError, match="1 raters"):
         recognition_statistics(_named(0, 1, beside=False))

@@ -6,7 +6,14 @@ import pytest
 
 from understudy.errors import InputError
 from understudy.study.comparison import Comparison, RaterChoice
-from understudy.study.scoring.reading import Named, Preferred, Rating, Understanding, Verdict, read_answers
+from understudy.study.scoring.reading import (
+    PreferenceAnswer,
+    Rating,
+    RecognitionAnswer,
+    Understanding,
+    Verdict,
+    read_answers,
+)
 from understudy.study.scoring.tables import AnswersError
 
 KEY = "clip,line,condition\nk1,one,semantic\nk2,one,prosody\nk3,one,random\nk4,two,U\nk5,two,S\n"
@@ -80,14 +87,17 @@ def test_preferences_and_speakers_are_read_with_their_groups(tmp_path: Path) -> 
     content = "rater,group,a,b,preference\n1,DE,k2,k1,-2\n2,,k1,k2,0\n"
     answers = read_answers([_file(tmp_path, "p.csv", content)], _file(tmp_path, "pairs.csv", key))
     assert answers.comparison is Comparison.WAYS
-    assert answers.preferred[0] == Preferred("1", "one", "random", "live", -2)
+    assert answers.preferred[0] == PreferenceAnswer("1", "one", "random", "live", -2)
     assert answers.groups == {"1": "DE"}
     named = "rater,line,first,second,preference\n1,one,both,affect,1.5\n"
     assert read_answers([_file(tmp_path, "n.csv", named)]).comparison is Comparison.AFFECT
     key = "clip,line,condition\nk1,one,JL\nk2,one,MR\n"
     content = "rater,clip,beside,answer\n1,k1,,MR\n1,k2,k1,MR\n"
     answers = read_answers([_file(tmp_path, "s.csv", content)], _file(tmp_path, "speakers.csv", key))
-    assert answers.named == (Named("1", "one", "JL", "MR", False), Named("1", "one", "MR", "MR", True))
+    assert answers.named == (
+        RecognitionAnswer("1", "one", "JL", "MR", False),
+        RecognitionAnswer("1", "one", "MR", "MR", True),
+    )
 
 
 def test_mistakes_of_preferences_and_speakers_are_told(tmp_path: Path) -> None:

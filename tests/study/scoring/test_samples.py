@@ -6,7 +6,7 @@ import pytest
 
 from understudy.study.comparison import Comparison
 from understudy.study.scoring.samples import (
-    Needed,
+    SampleSize,
     by_group,
     group_differences,
     normality,
@@ -68,8 +68,8 @@ def test_normality_has_lilliefors_s_critical_value() -> None:
 
 def test_raters_are_those_of_the_tables() -> None:
     """G*Power 3.1: one-sample t 199, 34 and 15; three groups of 323, 53 and 22 (totals 969, 159, 66)."""
-    assert raters_needed(Comparison.UNITS, 2) == (Needed(0.2, 199), Needed(0.5, 34), Needed(0.8, 15))
-    assert raters_needed(Comparison.MODES, 3) == (Needed(0.1, 323), Needed(0.25, 53), Needed(0.4, 22))
+    assert raters_needed(Comparison.UNITS, 2) == (SampleSize(0.2, 199), SampleSize(0.5, 34), SampleSize(0.8, 15))
+    assert raters_needed(Comparison.MODES, 3) == (SampleSize(0.1, 323), SampleSize(0.25, 53), SampleSize(0.4, 22))
 
 
 def test_no_effect_is_found_as_often_as_the_level_says() -> None:
