@@ -118,12 +118,11 @@ def _calmed(arms: Sequence[FloatArray], times_s: FloatArray, wrists: Wrists, fas
     """Smooth both arms in place; returns the resulting positions of the wrists."""
     step_s = _step_s(times_s)
     wrists_m = wrists(arms, slice(None))
-    from_end_s = np.minimum(times_s - times_s[0], times_s[-1] - times_s)
-    free = np.clip(from_end_s / _AROUND_S - 1.0, 0.0, 1.0)[:, None, None]
     for _round in range(_ROUNDS):
         fast = _fast(wrists_m, arms, step_s, fastest)
         if not fast.any():
             break
+        free = _free(times_s, fast[0] | fast[1])[:, None, None]
         for part in _stretches(fast[0] | fast[1], ceil(_BESIDE_S / step_s)):
             for arm, quick in zip(arms, fast[:, part], strict=True):
                 near = smoothed(quick.astype(float)[:, None], _AROUND_S / step_s)
@@ -132,6 +131,16 @@ def _calmed(arms: Sequence[FloatArray], times_s: FloatArray, wrists: Wrists, fas
                 arm[part] = normalized(arm[part] + free[part] * weight * (calmer - arm[part]))
             wrists_m[:, part] = wrists([arm[part] for arm in arms], part)
     return wrists_m
+
+
+def _free(times_s: FloatArray, fast: NDArray[np.bool_]) -> FloatArray:
+    """How far each frame may be changed (T,): not at an end, unless arms are fast there, which could not be calmed
+    otherwise."""
+    free = np.ones(len(times_s))
+    for from_end_s in (times_s - times_s[0], times_s[-1] - times_s):
+        if not fast[from_end_s < 2 * _AROUND_S].any():
+            free *= np.clip(from_end_s / _AROUND_S - 1.0, 0.0, 1.0)
+    return free
 
 
 def _step_s(times_s: FloatArray) -> float:

@@ -278,3 +278,12 @@ def within_speed(rotations: FloatArray, frame_s: float, fastest_rad_s: float | F
             later = too_far[too_far > frame]
             frame = int(later[0]) if len(later) else len(kept)
     return kept
+
+
+def at_times(rotations: FloatArray, times_s: FloatArray, at_s: FloatArray) -> FloatArray:
+    """The rotations (T, 4) of frames at `times_s` as they are at other times (T,), between frames along the chord."""
+    place = np.interp(at_s, times_s, np.arange(len(times_s)))
+    before = np.minimum(place.astype(int), len(times_s) - 2)
+    share = (place - before)[:, None]
+    one = rotations[before]
+    return normalized(one + share * (nearest_sign(rotations[before + 1], one) - one))

@@ -48,10 +48,12 @@ BACK_S = 0.3
 
 MOST_IN_A_ROW, APART_S = 2, 0.6
 """After so many looks, as at the two places of a contrast, the eyes are on the listener for this long at least before
-they go with a gesture again: nobody talks to their own hands."""
+they go to a hand again: nobody talks to their own hands. What is pointed at is looked at all the same."""
 
 FAR_M = 3.0
 _FINGERS_M = 0.12
+_STEEP, _ASIDE_RAD = 1.0, np.radians(50.0)
+"""From this slope on a way counts as steep, and how far aside one looks along it at most."""
 _POINTING = "POINT_"
 _FACING: Mapping[Hand, float] = {Hand.LEFT: 1.0, Hand.RIGHT: -1.0}
 """A hand's fingers extend along its joint's x axis, in the direction of its side."""
@@ -75,8 +77,8 @@ class Look:
 
 def accompanying_looks(skeleton: Skeleton, body: BodyMotion, schedule: Schedule, plan: GesturePlan) -> tuple[Look, ...]:
     """The looks that go with the plan's gestures in the motion so far, in order; of two that are close the later one
-    begins when the first is over, but not more than `MOST_IN_A_ROW`. None where the schedule itself has the eyes look
-    somewhere at the stroke."""
+    begins when the first is over, at hands not more than `MOST_IN_A_ROW`. None where the schedule itself has the eyes
+    look somewhere at the stroke."""
     asked = [each.sync for each in schedule.behaviors if _is_gaze(each) and not gives_way(each)]
     found: list[Look] = []
     in_a_row = 0
@@ -86,7 +88,7 @@ def accompanying_looks(skeleton: Skeleton, body: BodyMotion, schedule: Schedule,
             continue
         follows = found and sync.start < _left_s(found[-1].gaze.sync) + APART_S
         in_a_row = in_a_row + 1 if follows else 1
-        if in_a_row > MOST_IN_A_ROW:
+        if in_a_row > MOST_IN_A_ROW and arms[0].placed.clip.category not in ALONG:
             continue
         if found and sync.start < (found[-1].gaze.sync.relax or 0.0):
             before = found[-1].gaze
@@ -191,5 +193,16 @@ def _shown_m(skeleton: Skeleton, places_m: FloatArray, turned: FloatArray, arm: 
     if category not in ALONG:
         return np.asarray(places_m[hand] + _FINGERS_M * fingers)
     arm_m = places_m[hand] - places_m[shoulder]
-    way = arm_m / np.linalg.norm(arm_m) + (fingers if category.startswith(_POINTING) else 0.0)
+    way = _ahead(arm_m / np.linalg.norm(arm_m) + (fingers if category.startswith(_POINTING) else 0.0))
     return np.asarray(places_m[hand] + FAR_M * way / np.linalg.norm(way))
+
+
+def _ahead(way: FloatArray) -> FloatArray:
+    """The way (3,), a steep one no farther aside than heads turn at ease: how far an upright arm is aside is chance and
+    nobody turns to the side to look at the ground."""
+    x, y, z = way
+    across = float(np.hypot(x, z))
+    if abs(y) < _STEEP * across:
+        return way
+    aside = float(np.clip(np.arctan2(x, z), -_ASIDE_RAD, _ASIDE_RAD))
+    return np.array([across * np.sin(aside), y, across * np.cos(aside)])

@@ -59,6 +59,9 @@ _THRUST_DEGREES = np.array([1.0, 0.0, 0.0, 4.5, 2.8, 0.0, 0.0])
 _THRUST_S = 0.18
 """The time forward; back takes twice as long."""
 
+_LATEST_S, _MADE_UP_S = 0.3, 0.6
+"""By how much the head waits for the next words at most, and in what time it has made up for it."""
+
 _NOISE_DEGREES, _NOISE_HZ = (3.4, 7.5, 3.0), 0.35
 _TREMBLE_DEGREES, _TREMBLE_HZ = 0.15, 2.3
 """Amplitudes of noise; the typical deviation is a quarter of them."""
@@ -144,6 +147,21 @@ def _clock_s(times_s: FloatArray, words: Sequence[Word]) -> FloatArray:
     frame_s = float(times_s[1] - times_s[0])
     rate = smoothed(rate, _SLOWING_S / frame_s)
     return np.asarray(times_s[0] + frame_s * np.concatenate([[0.0], np.cumsum(rate[:-1])]))
+
+
+def waiting_for_words(times_s: FloatArray, words: Sequence[Word]) -> FloatArray:
+    """The times (T,) of a head that turns slowly in pauses and makes up for it as the next words begin: people move
+    their heads as they speak."""
+    behind_s: FloatArray = np.zeros(len(times_s))
+    heard = [word.interval for word in words if word.interval]
+    for before, after in pairwise(heard):
+        pause_s = after.start_s - before.end_s
+        if pause_s >= _PAUSE_S:
+            late_s = min((1 - _IN_PAUSES) * pause_s, _LATEST_S)
+            edges_s = [before.end_s, before.end_s + late_s / (1 - _IN_PAUSES), after.start_s]
+            course = np.interp(times_s, [*edges_s, after.start_s + _MADE_UP_S], [0.0, late_s, late_s, 0.0])
+            behind_s = np.maximum(behind_s, course)
+    return times_s - behind_s
 
 
 def _changes_s(end_s: float, phrases: Sequence[Interval], generator: np.random.Generator) -> Iterator[float]:

@@ -29,6 +29,7 @@ from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton
 from ..geometry.curves import plateau
 from ..geometry.rotations import (
+    at_times,
     from_axis_angle,
     from_pitch_yaw_roll,
     inverse,
@@ -36,7 +37,7 @@ from ..geometry.rotations import (
     multiply,
     within_speed,
 )
-from .attitudes import HeadAttitude, head_attitude
+from .attitudes import HeadAttitude, head_attitude, waiting_for_words
 from .gaze import EYES, TRUNK, chest, eye_rotations, face, fixation_point_m
 
 Degrees = tuple[float, float, float]
@@ -208,7 +209,8 @@ def apply_head_movements(
     times_s, rotations, frame_s = body.times_s, body.rotations.copy(), float(body.times_s[1] - body.times_s[0])
     joints, eyes, trunk = skeleton.chain("neck", "head"), skeleton.chain(*EYES), skeleton.rows(*TRUNK)
     seen_m = _seen_m(skeleton, body) if seen_m is None else seen_m
-    neck, skull = (rotations[:, joint] for joint in joints)
+    waiting_s = waiting_for_words(times_s, schedule.words)
+    neck, skull = (at_times(rotations[:, joint], times_s, waiting_s) for joint in joints)
     idle = head_attitude(times_s, schedule, seed=seed)
     trunk_s = times_s if trunk_s is None else trunk_s
     share = from_pitch_yaw_roll(*(np.interp(trunk_s, times_s, angle) / len(TRUNK) for angle in idle.trunk.T))

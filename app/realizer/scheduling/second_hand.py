@@ -14,6 +14,7 @@ import numpy as np
 
 from ...model import Hand, Level
 from ..arms.rest_poses import HANGING, LAPS, resting
+from ..arms.wrist_paths import stroke_end_m
 from ..body.movement_style import MovementStyle
 from ..gestures.gesture import Clip, ClipKey
 from ..gestures.gesture_plan import PlacedGesture, drawn
@@ -24,6 +25,10 @@ from .transitions import transition_s
 OTHER = {Hand.LEFT: Hand.RIGHT, Hand.RIGHT: Hand.LEFT}
 BENDS = (-0.3, 1.0)
 """By how much fingers are bent differently, as shares of the style's: rather more than less, to stay within limits."""
+_HIGHEST_FOLLOWED_M = 0.6
+"""How high above the hips, about the shoulders' height, a hand may be that the other one follows as far as it would."""
+_LOW_M = 0.12
+"""A hand that goes lower than this shows something below: the other one does not stay above it."""
 FREE_S = 0.3
 """What a lag leaves of the time to the arm's next stroke."""
 
@@ -95,8 +100,18 @@ def _following(
         return None
     clip = _of_other_hand(gesture.clip, side)
     basis = pose if rest.ready_at else LAPS[Level.LOW] if second.near_belly and follows else AT_SIDE
+    share *= _below_the_chest(gesture)
+    if float(stroke_end_m(gesture, gesture.clip.hand)[1]) < _LOW_M:
+        basis = AT_SIDE
     made = _later(replace(gesture, clip=clip, aim_m=None, share=share if follows else 0.0, basis=basis), lag_s)
     return _between(made, list(own))
+
+
+def _below_the_chest(gesture: PlacedGesture) -> float:
+    """The factor of the way that an arm goes along with a hand that is raised: its own hand stays low, or its elbow
+    would wing out at the shoulder's height with a forearm that shows nothing."""
+    raised_m = float(stroke_end_m(gesture, gesture.clip.hand)[1])
+    return min(1.0, _HIGHEST_FOLLOWED_M / max(raised_m, _HIGHEST_FOLLOWED_M))
 
 
 def _between(made: PlacedGesture, own: Sequence[PlacedGesture]) -> PlacedGesture | None:

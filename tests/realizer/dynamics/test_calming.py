@@ -132,3 +132,11 @@ def test_a_head_that_the_trunk_makes_too_fast_comes_later_and_arrives() -> None:
     assert np.degrees(angle_between(before[1:], before[:-1])).max() * RATE_HZ > 290
     assert 240 < speeds.max() < 250
     assert angle_between(after[-1], before[-1]) < 1e-6
+
+
+def test_an_arm_that_is_fast_as_the_take_ends_is_calmed_there() -> None:
+    skeleton, times_s, arms = swinging(1.2)
+    before = arms[1].copy()
+    wrists_m = calm(skeleton, arms, times_s)
+    assert np.linalg.norm(np.diff(wrists_m, axis=1), axis=2).max() * RATE_HZ < FASTEST_M_S
+    assert np.allclose(arms[1][0], before[0])

@@ -110,3 +110,19 @@ def test_nobody_looks_at_their_own_hands_all_the_time() -> None:
 def test_gestures_that_show_nothing_are_not_looked_at_and_all_names_exist() -> None:
     assert moved(schedule(shown("OPEN_HAND")))[1] == ()
     assert set(LIBRARY.categories) >= ALONG | AT_THE_HAND
+
+
+def test_everything_that_is_pointed_at_is_looked_at() -> None:
+    strokes_s = np.array([0.5, 0.8, 0.8, 1.1, 1.1, 1.3, 1.7])
+    placed = [
+        behavior(Channel.GESTURE, "POINT_FRONT", *(strokes_s + 1.2 * number), hand=hand, amount=0.5)
+        for number, hand in enumerate((Hand.LEFT, Hand.RIGHT, Hand.LEFT))
+    ]
+    assert [look.gaze.target for look in moved(schedule(*placed))[1]] == [each.id for each in placed]
+
+
+def test_nobody_turns_to_the_side_to_look_at_the_ground() -> None:
+    _body, (look,) = moved(schedule(shown("DOWN")))
+    x, y, z = look.at_m
+    assert y < 0
+    assert abs(np.degrees(np.arctan2(x, z))) < 65

@@ -8,7 +8,12 @@ import pytest
 
 from tests.support.motion.movements import TIMES_S, schedule
 from understudy.model import FloatArray, Interval, Schedule, Word
-from understudy.realizer.head_and_gaze.attitudes import FORWARD_DEGREES, HeadAttitude, head_attitude
+from understudy.realizer.head_and_gaze.attitudes import (
+    FORWARD_DEGREES,
+    HeadAttitude,
+    head_attitude,
+    waiting_for_words,
+)
 
 PLAIN = schedule()
 FORWARD = np.radians(FORWARD_DEGREES)
@@ -77,3 +82,13 @@ def test_a_head_moves_while_the_voice_is_heard_and_holds_in_the_pauses() -> None
     speed = np.linalg.norm(np.diff(np.degrees(course.held + course.neck + course.head), axis=0), axis=1) * 30
     pausing = (times_s[1:] % 3.2) > 2.65
     assert speed[~pausing].mean() > 2 * speed[pausing].mean()
+
+
+def test_heads_wait_in_pauses_and_make_up_for_it_with_the_next_words() -> None:
+    """A pause from 1 to 2 s; the clock never runs back, and is on time before, and half a second after it."""
+    words = [Word(0, "a", Interval(0.2, 1.0)), Word(1, "b", Interval(2.0, 3.0))]
+    behind_s = TIMES_S - waiting_for_words(TIMES_S, words)
+    assert behind_s[np.searchsorted(TIMES_S, 0.99)] == 0
+    assert 0.2 < behind_s.max() == pytest.approx(behind_s[np.searchsorted(TIMES_S, 1.9)])
+    assert behind_s[TIMES_S > 2.7].max() == 0
+    assert np.diff(TIMES_S - behind_s).min() > 0

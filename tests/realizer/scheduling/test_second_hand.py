@@ -113,3 +113,25 @@ def test_what_is_drawn_for_a_gesture_does_not_depend_on_the_others() -> None:
     both = planned(gesture("g1", 2.0, 2.5), gesture("g2", 6.0, 6.5), style=style)
     assert alone.following[-1].placed == both.following[-1].placed
     assert both.following[0].placed.share != both.following[1].placed.share
+
+
+def reaching(up_m: float) -> HandMade:
+    """A library of one gesture whose stroke ends that much above the middle of gesture space."""
+    one = clip()
+    keys = tuple(replace(key, right=ArmKey(place=place(up_m=up_m))) for key in one.keys)
+    return library(replace(one, keys=keys))
+
+
+def test_a_hand_that_follows_one_overhead_stays_before_the_body() -> None:
+    """Two fifths of the way to a hand over the head would lift the elbow to the shoulder."""
+    (other,) = planned(gesture("g1", 2.0, 2.6), style=ALWAYS, clips=reaching(0.7)).following
+    (chest,) = planned(gesture("g1", 2.0, 2.6), style=ALWAYS, clips=reaching(0.1)).following
+    assert chest.placed.share == pytest.approx(0.4)
+    assert other.placed.share < 0.3
+
+
+def test_a_hand_that_follows_one_below_goes_down_with_it() -> None:
+    belly = replace(ALWAYS, second_hand=replace(ALWAYS.second_hand, near_belly=True))
+    (low,) = planned(gesture("g1", 2.0, 2.6), style=belly, clips=reaching(-0.35)).following
+    (chest,) = planned(gesture("g1", 2.0, 2.6), style=belly, clips=reaching(0.1)).following
+    assert low.placed.basis == "at_side" != chest.placed.basis
