@@ -152,3 +152,11 @@ def test_the_page_carries_its_style() -> None:
     (style,) = re.findall("<style>(.*?)</style>", shown, re.DOTALL)
     assert sheets > 1
     assert all(sheet.read_text() in style for sheet in (pages.FOLDER / "style").glob("*.css"))
+
+
+def test_the_page_names_in_advance_what_it_begins_with_and_nothing_that_comes_later() -> None:
+    shown = _client().get("/").text
+    named = re.findall(r'<link rel="modulepreload" href="\./studio/\w{16}/([^"]+)" />', shown)
+    assert {"dom.js", "line/start.js", "vendor/understudy-client.js"} <= set(named)
+    assert not [name for name in named if "three" in name or name.startswith(("stage/stage", "rules/", "table_read/"))]
+    assert len(named) == len(set(named))

@@ -16,6 +16,8 @@ const VIEWS = Object.freeze({
 export const VIEW = slice(/** @type {keyof typeof VIEWS} */ ("line"));
 
 /**
+ * The page begins with the line, or with the table read where its address says `?scene=opened`.
+ *
  * @param {HTMLElement} element
  * @param {Store} store
  */
@@ -28,5 +30,8 @@ export function mountViews(element, store) {
       button.setAttribute("aria-current", view === id ? "page" : "false");
       found(document, `#${id}`, HTMLElement).hidden = view !== id;
     });
+  }
+  if (new URLSearchParams(location.search).get("scene") === "opened") {
+    store.set(VIEW, "table_read");
   }
 }

@@ -37,7 +37,7 @@ function parts(store) {
   noise.addEventListener("change", () =>
     changeGesture(store, "Noise", (gesture) => withFrame(gesture, index, { noise: noise.checked })),
   );
-  return [el("div", { class: "row" }, [...curves, shoulder, labelled("Vary each time", noise)])];
+  return [el("div", { class: "row" }, [...curves, shoulder]), labelled("Vary each time", noise)];
 }
 
 /**

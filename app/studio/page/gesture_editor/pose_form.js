@@ -1,6 +1,6 @@
 /** Takes a pose from a GLB or VRM file as angles of joints, and shows which joints a frame overrides so. */
 
-import { el, labelled } from "../dom.js";
+import { el, fileButton, labelled } from "../dom.js";
 import { problemOf } from "../service/service.js";
 import { PROBLEM } from "../state/performed.js";
 import { withPose } from "./arms.js";
@@ -16,11 +16,11 @@ import { ARM, changeGesture, EDITED, FRAME, gestureOf } from "./gestures.js";
  * @param {Service} service
  */
 export function poseForm(store, service) {
-  const file = el("input", { type: "file", id: "pose-file", accept: ".glb,.vrm" });
   const time = el("input", { type: "number", id: "pose-time", min: 0, step: 0.1, value: 0 });
   const told = el("p", { id: "pose-told", role: "status" });
-  file.addEventListener("change", () => void take(store, service, { file, time_s: Number(time.value) }));
-  const clear = el("button", { type: "button", id: "pose-clear", click: () => put(store, {}) }, ["Without joints"]);
+  const chosen = ([file] = /** @type {File[]} */ ([])) => file && void take(store, service, { file, time_s: Number(time.value) });
+  const taken = fileButton("Pose from a body…", { id: "pose-file", accept: ".glb,.vrm", title: "A GLB or VRM file" }, chosen);
+  const clear = el("button", { type: "button", id: "pose-clear", click: () => put(store, {}) }, ["Remove"]);
   const show = () => {
     const joints = gestureOf(store.get(EDITED)).frames[store.get(FRAME)]?.[store.get(ARM)]?.joints ?? {};
     const names = Object.keys(joints);
@@ -30,22 +30,18 @@ export function poseForm(store, service) {
   for (const of of [EDITED, FRAME, ARM]) {
     store.watch(/** @type {typeof FRAME} */ (of), show);
   }
-  const row = el("div", { class: "row" }, [labelled("Pose from a body (.glb, .vrm)", file), labelled("at, s", time), clear]);
+  const row = el("div", { class: "row" }, [labelled("Time in its animation, s", time), taken, clear]);
   return el("fieldset", { id: "pose" }, [el("legend", {}, ["Joints by angles"]), row, told]);
 }
 
 /**
  * @param {Store} store
  * @param {Service} service
- * @param {{ file: HTMLInputElement, time_s: number }} asked
+ * @param {{ file: File, time_s: number }} asked
  */
 async function take(store, service, { file, time_s }) {
-  const [chosen] = file.files ?? [];
-  if (!chosen) {
-    return;
-  }
   const form = new FormData();
-  form.append("avatar", chosen, chosen.name);
+  form.append("avatar", file, file.name);
   form.append("options", JSON.stringify({ time_s }));
   try {
     const answer = await service.fetch("gestures/pose", { method: "POST", body: form });
@@ -54,7 +50,6 @@ async function take(store, service, { file, time_s }) {
   } catch (error) {
     store.set(PROBLEM, problemOf(error));
   }
-  file.value = "";
 }
 
 /**

@@ -40,9 +40,6 @@ export function mountTableRead(element, store, service) {
       }
     }
   });
-  if (asked) {
-    store.set(VIEW, "table_read");
-  }
 }
 
 /**
