@@ -1,19 +1,18 @@
 """An unusable address is reported before anything is loaded."""
 
 import asyncio
-import os
 import socket
-import subprocess
-import sys
 from collections.abc import Iterator
 from contextlib import ExitStack
 
 import pytest
 
+from understudy.api.workers.processes import Nursery
+from understudy.cli.main import main
 from understudy.cli.service import bind, listen
 from understudy.errors import InputError
 
-SERVE = "import sys; from understudy.cli.main import main; ended = main(['serve', *sys.argv[1:]]); "
+Captured = pytest.CaptureFixture[str]
 
 
 @pytest.fixture
@@ -74,15 +73,24 @@ def test_two_that_are_bound_to_one_port_cannot_both_listen() -> None:
     assert caught.value.code == "address_unusable"
 
 
-def test_serve_on_a_taken_port_ends_before_loading(taken: int) -> None:
-    code = SERVE + "print(ended, 'spacy' in sys.modules, 'pocketsphinx' in sys.modules)"
-    command = [sys.executable, "-c", code, "--port", str(taken)]
-    done = subprocess.run(command, capture_output=True, text=True, check=True)
-    assert done.stdout.split() == ["2", "False", "False"]
-    [told] = done.stderr.splitlines()
+@pytest.fixture
+def nothing_is_loaded(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All that is large is loaded in the nursery, which must not be started."""
+
+    def start(*_arguments: object, **_named: object) -> None:
+        raise AssertionError("the nursery is started")
+
+    monkeypatch.setattr(Nursery, "start", start)
+
+
+@pytest.mark.usefixtures("nothing_is_loaded")
+def test_serve_on_a_taken_port_ends_before_loading(taken: int, capsys: Captured) -> None:
+    assert main(["serve", "--port", str(taken)]) == 2
+    [told] = capsys.readouterr().err.splitlines()
     assert f"127.0.0.1:{taken}" in told
 
 
+@pytest.mark.usefixtures("nothing_is_loaded")
 @pytest.mark.parametrize(
     ("settings", "told"),
     [
@@ -91,18 +99,18 @@ def test_serve_on_a_taken_port_ends_before_loading(taken: int) -> None:
         ({"UNDERSTUDY_API_KEYS_FILE": "/nowhere/keys"}, "/nowhere/keys"),
     ],
 )
-def test_serve_where_others_reach_it_wants_a_key_before_loading(settings: dict[str, str], told: str) -> None:
-    code = SERVE + "print(ended, 'spacy' in sys.modules)"
-    command = [sys.executable, "-c", code, "--port", "0"]
-    done = subprocess.run(command, capture_output=True, text=True, check=True, env={**os.environ, **settings})
-    assert done.stdout.split() == ["2", "False"]
-    [line] = done.stderr.splitlines()
+def test_serve_where_others_reach_it_wants_a_key_before_loading(
+    settings: dict[str, str], told: str, monkeypatch: pytest.MonkeyPatch, capsys: Captured
+) -> None:
+    for name, value in settings.items():
+        monkeypatch.setenv(name, value)
+    assert main(["serve", "--port", "0"]) == 2
+    [line] = capsys.readouterr().err.splitlines()
     assert told in line
 
 
+@pytest.mark.usefixtures("nothing_is_loaded")
 @pytest.mark.parametrize("port", ["-1", "65536", "http", "9" * 5000])
-def test_serve_with_what_is_no_port_ends_before_loading(port: str) -> None:
-    code = SERVE + "print(ended, 'spacy' in sys.modules)"
-    done = subprocess.run([sys.executable, "-c", code, "--port", port], capture_output=True, text=True, check=True)
-    assert done.stdout.split() == ["2", "False"]
-    assert len(done.stderr.splitlines()) == 1
+def test_serve_with_what_is_no_port_ends_before_loading(port: str, capsys: Captured) -> None:
+    assert main(["serve", "--port", port]) == 2
+    assert len(capsys.readouterr().err.splitlines()) == 1
