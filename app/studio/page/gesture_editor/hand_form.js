@@ -37,7 +37,7 @@ export function handForm(store) {
  */
 function shape(store, language, { hand }) {
   const put = (/** @type {Hand | null | undefined} */ made) => change(store, "Form of the hand", { hand: made ? possibleHand(language, made) : undefined });
-  const forms = /** @type {[string, string][]} */ ([[OPEN, "Left free"], ...language.forms.map(({ name }) => [name, readable(name)])]);
+  const forms = /** @type {[string, string][]} */ ([[OPEN, "Not set"], ...language.forms.map(({ name }) => [name, readable(name)])]);
   const form = choice(forms, hand?.form ?? OPEN, (name) =>
     put(name === OPEN ? undefined : /** @type {Hand} */ ({ thumb: "default", ...hand, form: name })),
   );
