@@ -27,7 +27,7 @@ BENDS = (-0.3, 1.0)
 """By how much fingers are bent differently, as shares of the style's: rather more than less, to stay within limits."""
 _HIGHEST_FOLLOWED_M = 0.6
 """How high above the hips, about the shoulders' height, a hand may be that the other one follows as far as it would."""
-_LOW_M = 0.12
+_LOW_M = 0.06
 """A hand that goes lower than this shows something below: the other one does not stay above it."""
 FREE_S = 0.3
 """What a lag leaves of the time to the arm's next stroke."""
