@@ -75,6 +75,7 @@ def main(control: socket.socket) -> None:
             nursery.obey(idle_s=IDLE_S)
             _warm(nursery.models)
         nursery.obey()
+    os._exit(0)  # a forked process's interpreter would wait at its end for threads that it does not have
 
 
 @dataclass(slots=True)

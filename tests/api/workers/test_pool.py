@@ -176,6 +176,15 @@ def test_a_nursery_ends_with_those_that_would_take_its_place(nursery: Nursery) -
     assert alive == []
 
 
+def test_one_that_rests_ends_with_a_service_that_was_killed(nursery: Nursery) -> None:
+    """Nobody kills it then; its socket is closed."""
+    with nursery.divided() as own:
+        process = psutil.Process(own.pid)
+        own._control.close()
+        _gone, alive = psutil.wait_procs([process], PATIENCE_S)
+        assert alive == []
+
+
 def test_waiting_ends(nursery: Nursery) -> None:
     async def scenario() -> None:
         async with _pool(nursery, queue_s=0.05) as pool:
