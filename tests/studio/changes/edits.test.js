@@ -8,6 +8,7 @@ import { successor } from "../../../app/studio/page/changes/following.js";
 import { matching } from "../../../app/studio/page/changes/gesture_browser.js";
 import { Lexemes } from "../../../app/studio/page/changes/lexemes.js";
 import { withMoved } from "../../../app/studio/page/changes/moving.js";
+import { withHands } from "../../../app/studio/page/changes/pinning.js";
 import { placeOf } from "../../../app/studio/page/changes/references.js";
 import { EMPTY, PROJECT } from "../../../app/studio/page/state/project.js";
 import { Store } from "../../../app/studio/page/state/store.js";
@@ -52,6 +53,21 @@ test("a behaviour is moved by its stroke, and marks that were put somewhere go a
   const again = withMoved(edits, { performance: LINE, edits }, moved, null, 0.2);
   const marks = again.behaviors?.[0]?.marks;
   assert.deepEqual([marks?.start, marks?.stroke], [placeOf(LINE, 0.25), placeOf(LINE, 0.6)]);
+});
+
+test("a gesture that is moved stays what it is, by the hand that makes it", () => {
+  const right = { ...GESTURE, hand: /** @type {const} */ ("right") };
+  const [edit] = withMoved(NOTHING, UNEDITED, right, null, 0.1).behaviors ?? [];
+  assert.deepEqual([edit?.lexeme, edit?.hand], ["NEGATION", "right"]);
+});
+
+test("a gesture that was chosen keeps the hand that it was first seen with", () => {
+  const edits = withBehavior(NOTHING, UNEDITED, GESTURE, { lexeme: "STOP", lock: true });
+  const stop = behavior({ id: "gesture1", lexeme: "STOP", hand: "right", edit: 0 });
+  const kept = withHands({ performance: performance({ behaviors: [stop] }), edits });
+  assert.equal(kept.behaviors?.[0]?.hand, "right");
+  const later = performance({ behaviors: [{ ...stop, hand: "both" }] });
+  assert.equal(withHands({ performance: later, edits: kept }), kept);
 });
 
 test("a word has one edit, which goes when it says nothing more", () => {

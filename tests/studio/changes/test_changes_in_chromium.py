@@ -85,7 +85,7 @@ def test_what_is_saved_makes_the_same_on_the_command_line(opened: Page, tmp_path
     performed(opened)
     edits = _saved(opened, tmp_path)
     told = json.loads(edits.read_text(encoding="utf-8"))
-    assert [sorted(edit) for edit in told["behaviors"]] == [["amount", "marks", "of"], ["of", "omit"]]
+    assert [sorted(edit) for edit in told["behaviors"]] == [["amount", "hand", "lexeme", "marks", "of"], ["of", "omit"]]
     out = tmp_path / "line.bml"
     assert main(["perform", *LINE, "--edits", str(edits), "-o", str(out)]) == 0
     assert _bml(opened) == out.read_bytes()
@@ -108,7 +108,7 @@ def _bml(page: Page) -> bytes:
     return str(answered.value.json()["bml"]).encode()
 
 
-def test_a_gesture_is_replaced_from_the_browser_and_locked(opened: Page) -> None:
+def test_a_gesture_that_was_replaced_stays_with_its_hand_and_its_stroke(opened: Page) -> None:
     select(opened, "gesture NEGATION")
     opened.click("#replace")
     expect(opened.locator("#gesture-family")).to_have_value("negation")
@@ -116,12 +116,20 @@ def test_a_gesture_is_replaced_from_the_browser_and_locked(opened: Page) -> None
     wait_until(opened, "document.querySelectorAll('#gesture-browser canvas[data-played]').length > 0")
     opened.click("#gesture-browser button[data-lexeme=POINT_FRONT]")
     expect(opened.locator("#selected h3")).to_have_text("Point ahead")
-    opened.click("#lock")
     expect(opened.locator("#lock")).to_have_attribute("aria-pressed", "true")
+    expect(opened.locator("#why")).to_contain_text("You chose “Point ahead” here")
+    performed(opened)
+    stroke_s = _mark_s(opened, "stroke")
+    about = opened.locator("#selected .about").inner_text()
+    opened.select_option("#feeling", "angry")
+    opened.select_option("#agitation", "high")
     opened.locator("#seed").fill("9")
     opened.keyboard.press("Tab")
     performed(opened)
+    select(opened, "gesture POINT_FRONT")
     expect(opened.locator("#items li[title*='gesture POINT_FRONT']")).to_have_count(1)
+    expect(opened.locator("#selected .about")).to_have_text(about)
+    assert _mark_s(opened, "stroke") == pytest.approx(stroke_s, abs=0.002)
 
 
 def test_a_gesture_is_added_on_a_word_and_taken_back(looked_at: Page) -> None:

@@ -7,7 +7,7 @@ import { el } from "../dom.js";
 import { redraw } from "../redrawing.js";
 import { PERFORMED, SELECTION } from "../state/performed.js";
 import { BADGES } from "../timeline/pointing.js";
-import { madeOf, selectedBehavior } from "./behaviors.js";
+import { editOfSelected, madeOf, selectedBehavior } from "./behaviors.js";
 import { conflicts } from "./conflicts.js";
 import { moveWhatIsDragged } from "./dragging.js";
 import { editOf } from "./edits.js";
@@ -17,6 +17,7 @@ import { followKeys } from "./keys.js";
 import { askForLexemes, LEXEMES } from "./lexemes.js";
 import { clipsOf } from "./gesture_clips.js";
 import { thumbnail } from "./thumbnails.js";
+import { keepChosenHands } from "./pinning.js";
 import { wordPanel } from "./word_panel.js";
 import { wordOf } from "./words.js";
 import { saidOf } from "../reasons/sentences.js";
@@ -35,6 +36,7 @@ export function mountChanges(element, store, service) {
   const told = el("div", { role: "status" });
   element.append(selected, told);
   keepSelected(store);
+  keepChosenHands(store);
   const show = () => showSelected(selected, store, service);
   for (const of of [PERFORMED, SELECTION, LEXEMES]) {
     store.watch(/** @type {typeof SELECTION} */ (of), show);
@@ -61,7 +63,7 @@ export function mountChanges(element, store, service) {
 function showSelected(element, store, service) {
   const line = store.get(PERFORMED);
   const [lexemes, behavior, index] = [store.get(LEXEMES), selectedBehavior(store), wordOf(store.get(SELECTION))];
-  const said = line && saidOf(line.performance, store.get(SELECTION) ?? "");
+  const said = line && saidOf(line.performance, store.get(SELECTION) ?? "", editOfSelected(store) ?? undefined);
   if (!line || !said) {
     redraw(element, [el("p", { class: "quiet" }, [HINT])]);
     return;

@@ -8,6 +8,7 @@ import { changeBehavior, editOfSelected, lockBehavior, revertBehavior } from "./
 import { browseGestures } from "./gesture_browser.js";
 import { changeOmission } from "./keys.js";
 import { putMark } from "./moving.js";
+import { replaceGesture } from "./pinning.js";
 
 /** @import { Behavior, BehaviorEdit } from "understudy-client" */
 /** @import { Service } from "../service/service.js" */
@@ -65,12 +66,13 @@ function what(store, service, lexemes, behavior) {
  * @param {Behavior} behavior
  */
 function lexeme(store, service, lexemes, behavior) {
-  const chosen = (/** @type {string} */ value) => changeBehavior(store, "Movement of", behavior, { lexeme: value });
   if (behavior.kind === "gesture") {
+    const chosen = (/** @type {string} */ value) => replaceGesture(store, behavior, value);
     const open = () => browseGestures(service, lexemes, { now: behavior.lexeme, chosen });
     return el("button", { type: "button", id: "replace", "aria-haspopup": "dialog", title: `Choose another gesture than ${movementName("gesture", behavior.lexeme)}`, click: open }, ["Replace…"]);
   }
   const names = lexemes.of(behavior.kind);
+  const chosen = (/** @type {string} */ value) => changeBehavior(store, "Movement of", behavior, { lexeme: value });
   return choice(names.map((name) => [name, movementName(behavior.kind, name)]), behavior.lexeme, chosen);
 }
 

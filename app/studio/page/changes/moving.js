@@ -7,7 +7,7 @@ import { changeEdits, editsOf } from "./change_edits.js";
 import { editOf, withBehavior } from "./edits.js";
 import { placeOf } from "./references.js";
 
-/** @import { Behavior, Edits, Marks } from "understudy-client" */
+/** @import { Behavior, BehaviorEdit, Edits, Marks } from "understudy-client" */
 /** @import { Made } from "./edits.js" */
 /** @import { Store } from "../state/store.js" */
 
@@ -68,7 +68,17 @@ export function withMoved(now, made, behavior, mark, later_s) {
   const before = mark ? (editOf(made, behavior)?.marks ?? {}) : shifted(made, behavior, later_s);
   /** @type {Marks} */
   const marks = { ...before, [moved]: placeOf(made.performance, time_s) };
-  return withBehavior(now, made, behavior, { marks });
+  return withBehavior(now, made, behavior, { ...chosenBy(behavior), marks });
+}
+
+/**
+ * What of a gesture that was moved stays as it was seen: what it is, and the hand that makes it.
+ *
+ * @param {Behavior} behavior
+ * @returns {Pick<BehaviorEdit, "lexeme" | "hand">}
+ */
+function chosenBy({ kind, lexeme, hand }) {
+  return kind === "gesture" && hand ? { lexeme, hand: /** @type {BehaviorEdit["hand"]} */ (hand) } : {};
 }
 
 /**

@@ -4,7 +4,7 @@ import { familyName, functionName } from "../naming/meanings.js";
 import { strongest } from "../naming/tones.js";
 import { channelName, handName, movementName, plain, plainText } from "../naming/movements.js";
 
-/** @import { Behavior, Performance } from "understudy-client" */
+/** @import { Behavior, BehaviorEdit, Performance } from "understudy-client" */
 /** @import { FoundFunction } from "./telling.js" */
 
 /**
@@ -16,12 +16,13 @@ import { channelName, handName, movementName, plain, plainText } from "../naming
 /**
  * @param {Performance} performance
  * @param {string} id
+ * @param {BehaviorEdit} [edit] what an author changed in it
  * @returns {Said | null} null where nothing has this id
  */
-export function saidOf(performance, id) {
+export function saidOf(performance, id, edit) {
   const behavior = performance.behaviors.find((each) => each.id === id);
   if (behavior) {
-    return saidOfBehavior(performance, behavior);
+    return saidOfBehavior(performance, behavior, edit);
   }
   const found = performance.functions.find((each) => each.id === id);
   return found ? saidOfFunction(performance, found) : saidOfSound(performance, id);
@@ -30,27 +31,53 @@ export function saidOf(performance, id) {
 /**
  * @param {Performance} performance
  * @param {Behavior} behavior
+ * @param {BehaviorEdit} [edit]
  * @returns {Said}
  */
-function saidOfBehavior(performance, behavior) {
+function saidOfBehavior(performance, behavior, edit) {
   const { kind, lexeme, hand, first, last, id } = behavior;
   const about = [channelName(kind), handName(hand), quoted(performance, first, last)].filter(Boolean).join(" · ");
-  return { name: movementName(kind, lexeme), technical: `${kind} ${lexeme}, ${id}`, about, why: whyOf(performance, behavior) };
+  return { name: movementName(kind, lexeme), technical: `${kind} ${lexeme}, ${id}`, about, why: whyOf(performance, behavior, edit) };
 }
 
 /**
  * @param {Performance} performance
  * @param {Behavior} behavior
+ * @param {BehaviorEdit} [edit]
  */
-export function whyOf(performance, behavior) {
+export function whyOf(performance, behavior, edit) {
   const note = behavior.reason ? plainText(behavior.reason) : "";
   if (!behavior.kept) {
     return `It is not made: ${note || "something else was worth more there"}.`;
   }
   const meant = [meantBy(performance, behavior), chosenFor(performance, behavior)].filter(Boolean).join("; ");
-  const changed = typeof behavior.edit === "number" ? (meant ? "you changed it" : "you added it") : "";
-  const told = [changed, meant, note].filter(Boolean);
+  const told = [...(typeof behavior.edit === "number" ? changedBy(behavior, meant, edit) : [meant]), note].filter(Boolean);
   return (told.length > 0 ? told : [ALIVE]).map(sentence).join(" ");
+}
+
+/**
+ * What an author did, and beside it what it was, or would be, without that.
+ *
+ * @param {Behavior} behavior
+ * @param {string} meant
+ * @param {BehaviorEdit} [edit]
+ */
+function changedBy(behavior, meant, edit) {
+  if (isChosen(behavior, edit)) {
+    const chosen = `you chose “${movementName(behavior.kind, behavior.lexeme)}” here`;
+    return meant ? [chosen, `left to itself, the performer would go by this: ${meant}`] : [chosen];
+  }
+  return meant ? ["you changed it", meant] : ["you added it"];
+}
+
+/**
+ * Whether an author put it in the place of something else.
+ *
+ * @param {Behavior} behavior
+ * @param {BehaviorEdit} [edit]
+ */
+function isChosen({ lexeme }, edit) {
+  return edit?.of?.lexeme !== undefined && edit.lexeme === lexeme && edit.of.lexeme !== lexeme;
 }
 
 const ALIVE = "so that the body is alive between what it says";
