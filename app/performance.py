@@ -137,8 +137,7 @@ def _checked(understudy: Understudy, line: Line, options: Options, analysis: Ana
     understudy.behavior.profile(options.profile)
     if line.direction is None:
         return ()
-    limit = understudy.language.settings.max_text_characters
-    words = analysis.utterance.words if analysis else read_transcript(line.text, max_characters=limit)
+    words = analysis.utterance.words if analysis else read_transcript(line.text)
     check_direction(line.direction, words=len(words))
     return conflicts(line.direction)
 

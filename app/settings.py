@@ -17,6 +17,8 @@ PREFIX = "UNDERSTUDY_"
 
 PART_BYTES: Mapping[str, int] = MappingProxyType(
     {
+        "audio": 32 << 20,
+        "reference": 32 << 20,
         "text": 100_000,
         "options": 256 << 10,
         "words": 4 << 20,
@@ -43,7 +45,10 @@ MOST_FRAMES_PER_S = 60
 _REMOVED: Mapping[str, str] = MappingProxyType(
     {
         **{f"max_{part}_bytes": f"set {PREFIX}PART_BYTES={part}=BYTES" for part in PART_BYTES if part != "live"},
+        "max_text_characters": "20,000 characters are accepted",
         "live_message_bytes": f"set {PREFIX}PART_BYTES=live=BYTES",
+        "live_message_s": f"a message may take a sixth of {PREFIX}DEADLINE_S",
+        "live_streams_per_caller": f"a key may have three quarters of {PREFIX}LIVE_STREAMS",
         **dict.fromkeys(CLOSEABLE, f"list it in {PREFIX}CLOSED to turn it off"),
         **dict.fromkeys(("min_sample_rate_hz", "max_sample_rate_hz"), "8000 to 192000 Hz are accepted"),
         "max_channels": "8 are accepted",
@@ -64,11 +69,9 @@ class Settings(BaseModel):
     model_config = ConfigDict(defer_build=True, frozen=True, extra="ignore")
 
     max_audio_s: float = Field(default=120.0, gt=0, description="longest audio accepted, seconds")
-    max_audio_bytes: int = Field(default=32 * 1024 * 1024, gt=0, description="largest audio file accepted, bytes")
     max_body_bytes: int = Field(
         default=40 * 1024 * 1024, gt=0, description="largest HTTP request accepted, bytes, audio and words together"
     )
-    max_text_characters: int = Field(default=20_000, gt=0, description="longest transcript accepted, characters")
     parser: Path | str | None = Field(
         default=None, description="another spaCy pipeline, by name or folder (ClearNLP or UD labels); ours if unset"
     )
@@ -158,16 +161,8 @@ class Settings(BaseModel):
     live_streams: int | None = Field(
         default=None, ge=0, description="concurrent live streams, refused beyond; eight a core if unset"
     )
-    live_streams_per_caller: int | None = Field(
-        default=None,
-        gt=0,
-        description="live streams of one key or address; if unset all, or three quarters where there are keys",
-    )
     live_s: float = Field(
         default=14_400.0, gt=0, description="longest live stream, seconds of sound and of wall-clock time"
-    )
-    live_message_s: float = Field(
-        default=10.0, gt=0, description="processor time that a message of a live stream may take, seconds"
     )
     live_idle_s: float = Field(
         default=30.0, gt=0, description="a live stream to which nothing is sent for longer is closed"
@@ -208,6 +203,11 @@ class Settings(BaseModel):
         return {**PART_BYTES, **read_part_bytes(self.part_bytes or "")}
 
     @property
+    def max_audio_bytes(self) -> int:
+        """The largest recording accepted, bytes."""
+        return self.part_limits["audio"]
+
+    @property
     def closed_pages(self) -> tuple[str, ...]:
         """Those of `CLOSEABLE` that are not answered."""
         return _listed(self.closed)
@@ -229,10 +229,13 @@ class Settings(BaseModel):
 
     @property
     def live_streams_each(self) -> int:
-        """The most live streams of one caller: where no keys tell callers apart, as many as there may be."""
-        if self.live_streams_per_caller is not None:
-            return self.live_streams_per_caller
+        """The most live streams of one caller: three quarters of all, or all where no keys tell callers apart."""
         return max(1, 3 * self.live_stream_count // 4) if self.has_keys else self.live_stream_count
+
+    @property
+    def live_message_s(self) -> float:
+        """The processor time that a message of a live stream may take, seconds."""
+        return self.deadline_s / 6
 
     @property
     def host_names(self) -> tuple[str, ...]:

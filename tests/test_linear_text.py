@@ -17,7 +17,7 @@ NOTHING = Parse((), (), ())
 
 
 def _read(text: str) -> None:
-    words = read_transcript(text, max_characters=20_000)
+    words = read_transcript(text)
     utterance_facts(Utterance(words=words, parse=NOTHING))
     sentence_starts(words)
 

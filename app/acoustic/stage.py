@@ -80,7 +80,7 @@ def hear(
 
     Raises InputError for audio, text and timings that cannot be used.
     """
-    transcript = read_transcript(line.text, max_characters=acoustic.settings.max_text_characters)
+    transcript = read_transcript(line.text)
     if line.audio is None:
         progress("align")
         return pace_words(acoustic, transcript, line.speaking, line.timings)
@@ -215,7 +215,7 @@ def make_reference(acoustic: AcousticModels, recordings: Sequence[SignalAnalysis
 
 def align(acoustic: AcousticModels, line: Line) -> AlignedLine:
     """The times of the words and phones of a line."""
-    transcript = read_transcript(line.text, max_characters=acoustic.settings.max_text_characters)
+    transcript = read_transcript(line.text)
     signal, notices = decode(line.recording, audio_limits(acoustic.settings))
     timed = align_words(acoustic, signal, transcript, line.timings)
     return AlignedLine(timed.words, signal.duration_s, notices + timed.notices, timed.fillers)

@@ -30,7 +30,7 @@ def media_type_of(content_type: str) -> str:
 
 def form_limits(task: Task, settings: Settings) -> Mapping[str, int]:
     """The fields that a form may have, and the most bytes of each."""
-    limits = {**settings.part_limits, "audio": settings.max_audio_bytes, "reference": settings.max_audio_bytes}
+    limits = settings.part_limits
     return {name: limits[name] for name in FORM_FIELDS.get(task, ())}
 
 

@@ -148,7 +148,7 @@ def _still_unused(rules: Sequence[Rule], derivation: Derivation) -> list[Rule]:
 
 
 def _derived(language: LanguageModels, behavior: BehaviorModels, text: str) -> tuple[Utterance, Derivation, Derivation]:
-    words = read_transcript(text, max_characters=language.settings.max_text_characters)
+    words = read_transcript(text)
     utterance = Utterance(words=words, parse=language.parser.parse(words))
     return utterance, derive_facts(language.rules, utterance), _mapped(behavior.rules, utterance, language.rules)
 

@@ -158,8 +158,7 @@ def compare(understudy: Understudy, edits: Edits, lines: Mapping[str, str]) -> t
     """The lines (texts by id) that these edits change. Raises InputError `rules_wrong`, `unknown_file`, and for a text
     that cannot be used."""
     edited = with_edits(understudy, edits)
-    most = understudy.language.settings.max_text_characters
-    spoken = [read_transcript(text, max_characters=most) for text in lines.values()]
+    spoken = [read_transcript(text) for text in lines.values()]
     parsed = understudy.language.parser.parse_all(spoken)
     utterances = [Utterance(words=words, parse=parse) for words, parse in zip(spoken, parsed, strict=True)]
     try:

@@ -18,7 +18,7 @@ from ..text.transcript import read_transcript
 
 def check_line(line: Line, settings: Settings) -> None:
     """Raises InputError as the performance would, for the line's audio, text, word timings, functions and notes."""
-    transcript = read_transcript(line.text, max_characters=settings.max_text_characters)
+    transcript = read_transcript(line.text)
     duration_s = settings.max_audio_s
     if line.audio is not None:
         duration_s = decode(line.audio, audio_limits(settings))[0].duration_s

@@ -62,10 +62,9 @@ class PerformedPhrase:
 def timed_words(models: LiveModels, timed: tuple[TimedText, ...], recent: RecentVoice) -> tuple[Word, ...]:
     """Words in order, with their sounds over the time of each, and how stressed they are. Raises InputError for times
     that are not in order or too long, and as `read_transcript` does."""
-    limit = models.understudy.language.settings.max_text_characters
     if any(not _is_one_word(each.text) for each in timed):
         raise InputError("value_wrong", "words: each text is one word, without white space", field="words")
-    words = read_transcript(" ".join(each.text for each in timed), max_characters=limit)
+    words = read_transcript(" ".join(each.text for each in timed))
     _require_order(timed)
     spoken = models.understudy.acoustic.aligner.pronounce(words)
     placed = tuple(models.durations.spread(word, each.interval) for word, each in zip(spoken, timed, strict=True))
@@ -91,7 +90,7 @@ def _require_order(timed: tuple[TimedText, ...]) -> None:
 def paced_words(models: LiveModels, text: str, start_s: float) -> tuple[Word, ...]:
     """The words of a text at a usual pace from then on; raises as `read_transcript` does, and InputError
     `transcript_unspoken`."""
-    words = read_transcript(text, max_characters=models.understudy.language.settings.max_text_characters)
+    words = read_transcript(text)
     return tuple(_paced(models, models.understudy.acoustic.aligner.pronounce(words), start_s))
 
 

@@ -152,7 +152,7 @@ def _heard(acoustic: AcousticModels, audio: bytes, text: str, progress: Progress
     if not text:
         message = "the BML says no words to look for in the recording; give its <speech> a <text>"
         return replace(speech, notices=(*speech.notices, Notice("speech_missing", message)))
-    transcript = read_transcript(text, max_characters=acoustic.settings.max_text_characters)
+    transcript = read_transcript(text)
     progress("align")
     timed = align_words(acoustic, heard.audio, transcript)
     progress("stress")

@@ -30,7 +30,7 @@ class Language(Protocol):
 
 def find_functions(language: Language, text: str) -> Analysis:
     """The communicative functions of a text; without a recording, nothing has a time (paper §3.2, §3.3)."""
-    words = read_transcript(text, max_characters=language.settings.max_text_characters)
+    words = read_transcript(text)
     [analysis] = find_functions_in_all(language, [words])
     return analysis
 

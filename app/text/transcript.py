@@ -9,6 +9,9 @@ import unicodedata
 from ..errors import InputError, TooLargeError
 from ..model import Word
 
+MAX_CHARACTERS = 20_000
+"""Longest transcript accepted."""
+
 MAX_PUNCTUATION_RUN = 8
 """Longest run of punctuation (neither letter nor digit) that is passed to a parser (`with_short_runs`)."""
 
@@ -26,7 +29,7 @@ _UNWRITABLE = frozenset("\ufffe\uffff")
 _LONG_PUNCTUATION_RUN = re.compile(rf"([\W_]{{{MAX_PUNCTUATION_RUN}}})[\W_]+")
 
 
-def read_transcript(text: str, *, max_characters: int) -> tuple[Word, ...]:
+def read_transcript(text: str, *, max_characters: int = MAX_CHARACTERS) -> tuple[Word, ...]:
     """The words of `text`, without times.
 
     A byte order mark at the start is no part of the text. Raises TooLargeError `text_too_long`, and InputError

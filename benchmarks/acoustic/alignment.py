@@ -133,7 +133,7 @@ def processor_s() -> float:
 
 
 def _words(text: str) -> tuple[Word, ...]:
-    return read_transcript(text, max_characters=10_000)
+    return read_transcript(text)
 
 
 def read_options(description: str | None) -> argparse.Namespace:

@@ -68,7 +68,7 @@ def _edges_s(aligner: Aligner, sentence: Sentence, degrade: Degrade, delay_s: fl
     content = degrade(PEAK * sentence.audio.samples / np.abs(sentence.audio.samples).max(), np.random.default_rng(1))
     audio, _ = decode(content, AudioLimits())
     try:
-        words, notices = aligner.align(audio, read_transcript(sentence.text, max_characters=10_000))
+        words, notices = aligner.align(audio, read_transcript(sentence.text))
     except InputError:
         return np.full(2 * len(sentence.words), np.nan), "refused"
     edges_s = [time_s for word in words for time_s in _times_s(word)]

@@ -141,7 +141,7 @@ def _spliced(audio: Audio, sound: FloatArray, at_s: float, chance: np.random.Gen
 
 def _listen(aligner: Aligner, audio: Audio, text: str) -> Alignment | None:
     try:
-        return aligner.listen(audio, read_transcript(text, max_characters=10_000))
+        return aligner.listen(audio, read_transcript(text))
     except InputError:
         return None
 

@@ -98,7 +98,7 @@ def read_deliveries(folder: Path, models: tuple[Aligner, Listeners]) -> list[Hea
         text = " ".join(word.split(":", 1)[1] for word in line["words"])
         voice = VOICES[zlib.crc32(line["base"].encode()) % len(VOICES)]
         audio, _ = decode((folder / "audio" / f"{line['id']}.flac").read_bytes(), AudioLimits())
-        words, _ = models[0].align(audio, read_transcript(text, max_characters=10_000))
+        words, _ = models[0].align(audio, read_transcript(text))
         found.append(_placed(audio, words, models[1], frozenset(line["focus"]), voice))
     return found
 
@@ -106,7 +106,7 @@ def read_deliveries(folder: Path, models: tuple[Aligner, Listeners]) -> list[Hea
 def read_line(path: Path, models: tuple[Aligner, Listeners]) -> Heard:
     """A recording and its text."""
     audio, _ = decode(path.with_suffix(".flac").read_bytes(), AudioLimits())
-    words, _ = models[0].align(audio, read_transcript(path.with_suffix(".txt").read_text(), max_characters=10_000))
+    words, _ = models[0].align(audio, read_transcript(path.with_suffix(".txt").read_text()))
     return _placed(audio, words, models[1])
 
 

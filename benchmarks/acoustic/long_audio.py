@@ -29,7 +29,7 @@ from understudy.text.transcript import read_transcript
 ROOT = Path(__file__).resolve().parents[2]
 LINES = ROOT.parent / "shared" / "data" / "speech" / "lines"
 PAUSE_S = 1 / 3
-ANY_LENGTH = Settings(max_audio_s=1e6, max_audio_bytes=2**40)
+ANY_LENGTH = Settings(max_audio_s=1e6, part_bytes=f"audio={2**40}")
 
 
 def main() -> None:

@@ -65,7 +65,7 @@ class _Words:
         self._normaliser = Normaliser.load(abbreviations, self._pronouncer.dictionary.keys())
 
     def __call__(self, text: str) -> list[list[str]]:
-        spoken = self._normaliser.spoken(read_transcript(text, max_characters=10_000))
+        spoken = self._normaliser.spoken(read_transcript(text))
         said = [self._pronouncer.pronounce(token) for tokens in spoken for token in tokens]
         return [[" ".join(phones) for phones in each.variants] for each in said if each]
 

@@ -123,7 +123,7 @@ class Stages:
 
 def outcome(stages: Stages, text: str, seed: int, mode: Mode = Mode.SEMANTIC) -> Outcome:
     """The text, as if read at medium agitation."""
-    words = tuple(timed(read_transcript(text, max_characters=20_000), random.Random(text)))
+    words = tuple(timed(read_transcript(text), random.Random(text)))
     duration_s = max(word.interval.end_s for word in words if word.interval) + 0.2
     agitation = Agitation(low=0.0, medium=1.0, high=0.0)
     utterance = Utterance(words, stages.parser.parse(words), agitation, duration_s=duration_s)
@@ -153,7 +153,7 @@ def early_points(performance: Performance) -> int:
 
 def performed(stages: Stages, text: str, seed: int) -> Performance:
     """The text's performance, as if read at medium agitation."""
-    words = tuple(timed(read_transcript(text, max_characters=20_000), random.Random(text)))
+    words = tuple(timed(read_transcript(text), random.Random(text)))
     duration_s = max(word.interval.end_s for word in words if word.interval) + 0.2
     agitation = Agitation(low=0.0, medium=1.0, high=0.0)
     utterance = Utterance(words, stages.parser.parse(words), agitation, duration_s=duration_s)

@@ -96,7 +96,7 @@ def test_a_process_ends_with_the_service_s_end_of_its_socket_whatever_it_does(nu
 
 
 def test_a_message_may_take_only_so_much_of_a_processor(nursery: Nursery) -> None:
-    with served(nursery, live_message_s=0.2) as running, stream(running) as opened:
+    with served(nursery, deadline_s=3.0) as running, stream(running) as opened:
         words = " ".join("".join(chr(97 + (7 * n + k * k) % 26) for k in range(90)) for n in range(200))
         opened.send(json.dumps({"type": "words", "text": words}))
         told, code = last(opened)
@@ -112,9 +112,14 @@ def test_a_stream_lasts_only_so_long_by_the_clock_whatever_it_sends(nursery: Nur
 
 
 def test_one_caller_does_not_have_all_places(nursery: Nursery) -> None:
-    with served(nursery, live_streams=4, live_streams_per_caller=1) as running, stream(running):
-        with connect(f"ws://{HOST}:{running.port}/live", proxy=None) as second:
-            told, code = last(second)
+    key = "a-key-of-sixteen-letters-or-more"
+    with served(nursery, live_streams=2, api_keys=key) as running:
+        headers, address = {"Authorization": f"Bearer {key}"}, f"ws://{HOST}:{running.port}/live"
+        with connect(address, additional_headers=headers, proxy=None) as first:
+            first.send(START)
+            assert json.loads(first.recv())["type"] == "ready"
+            with connect(address, additional_headers=headers, proxy=None) as second:
+                told, code = last(second)
         assert (told["code"], code) == ("too_many_streams", 1013)
 
 

@@ -16,6 +16,7 @@ from understudy.errors import InputError
 from understudy.models import Understudy
 from understudy.rules.mapping import offer_movements
 from understudy.rules.stage import find_functions
+from understudy.text.transcript import MAX_CHARACTERS
 
 TEXT = "No, that is a lot more important."
 
@@ -77,7 +78,7 @@ def test_what_a_corpus_uses_is_not_unused(understudy: Understudy) -> None:
 def test_a_corpus_is_text_or_json_lines(tmp_path: Path) -> None:
     corpus = tmp_path / "corpus.txt"
     corpus.write_text('No.\n\n{"id": 3, "text": "Not me."}\n  Yes. \n', encoding="utf-8")
-    assert list(read_corpus(str(corpus), max_characters=100)) == ["No.", "Not me.", "Yes."]
+    assert list(read_corpus(str(corpus))) == ["No.", "Not me.", "Yes."]
 
 
 @pytest.mark.parametrize(
@@ -87,14 +88,14 @@ def test_a_corpus_is_text_or_json_lines(tmp_path: Path) -> None:
         (b'{"text": "no"', "not_json"),
         (b"caf\xe9", "text_not_utf8"),
         (b"a\x07b", "text_control_character"),
-        (b"far too long", "text_too_long"),
+        (b"x" * (MAX_CHARACTERS + 1), "text_too_long"),
     ],
 )
 def test_a_line_that_is_no_text_is_named(tmp_path: Path, line: bytes, code: str) -> None:
     corpus = tmp_path / "corpus.txt"
     corpus.write_bytes(b"No.\n" + line + b"\n")
     with pytest.raises(InputError) as caught:
-        list(read_corpus(str(corpus), max_characters=10))
+        list(read_corpus(str(corpus)))
     assert caught.value.code == code
     assert f"{corpus}, line 2: " in caught.value.message
 

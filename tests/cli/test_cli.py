@@ -266,7 +266,7 @@ def test_a_wrong_setting_is_a_mistake(capfdbinary: Captured, monkeypatch: pytest
 
 @pytest.mark.parametrize(("limit", "code"), [(os.path.getsize(AUDIO), 0), (os.path.getsize(AUDIO) - 1, 2)])
 def test_the_limit_of_the_audio(limit: int, code: int, capfdbinary: Captured, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("UNDERSTUDY_MAX_AUDIO_BYTES", str(limit))
+    monkeypatch.setenv("UNDERSTUDY_PART_BYTES", f"audio={limit}")
     assert _run(capfdbinary, "pitch", AUDIO)[0] == code
 
 

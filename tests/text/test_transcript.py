@@ -14,7 +14,7 @@ from understudy.text.transcript import (
 
 
 def _texts(text: str) -> list[str]:
-    return [word.text for word in read_transcript(text, max_characters=20_000)]
+    return [word.text for word in read_transcript(text)]
 
 
 def test_words_are_numbered_from_0_and_keep_their_spelling() -> None:
@@ -46,7 +46,7 @@ def test_a_byte_order_mark_is_no_part_of_the_text() -> None:
 )
 def test_what_is_no_transcript_is_refused(text: str, code: str) -> None:
     with pytest.raises(InputError) as caught:
-        read_transcript(text, max_characters=20_000)
+        read_transcript(text)
     assert caught.value.code == code
     assert caught.value.field == "text"
     assert "\n" not in caught.value.message
@@ -58,9 +58,9 @@ def test_limits_hold_just_above_and_not_just_below() -> None:
     with pytest.raises(TooLargeError, match="6 characters; at most 5") as caught:
         read_transcript("a b cd", max_characters=5)
     assert caught.value.code == "text_too_long"
-    assert len(read_transcript("a " * MAX_WORDS, max_characters=20_000)) == MAX_WORDS
+    assert len(read_transcript("a " * MAX_WORDS)) == MAX_WORDS
     with pytest.raises(TooLargeError, match="2501 words; at most 2500"):
-        read_transcript("a " * (MAX_WORDS + 1), max_characters=20_000)
+        read_transcript("a " * (MAX_WORDS + 1))
 
 
 def test_long_runs_of_punctuation_are_accepted_and_shortened_for_parsers() -> None:

@@ -120,7 +120,7 @@ def examples_of(
     samples = sentence.audio.samples
     audio = Audio(degrade(samples, chance)) if degrade else sentence.audio
     try:
-        words = aligner.align(audio, read_transcript(sentence.text, max_characters=10_000))[0]
+        words = aligner.align(audio, read_transcript(sentence.text))[0]
     except InputError:
         return
     truth_s, places = np.array(list(true_times_s(sentence, words))), BoundaryArrays.of(boundaries(words))

@@ -46,7 +46,7 @@ def examples_of(aligner: Aligner, recordings: list[Recording]) -> Iterable[Examp
     for number, recording in enumerate(recordings):
         for kind, text in texts_for(recordings, number):
             if kind in (OWN, *OTHERS):
-                decoded = aligner.decode(recording.audio, read_transcript(text, max_characters=10_000))
+                decoded = aligner.decode(recording.audio, read_transcript(text))
                 if decoded is not None:
                     seen = np.array(evidence(list(chain.from_iterable(decoded.words))))
                     yield Example(seen, recording.half, kind != OWN)
@@ -60,7 +60,7 @@ def examples_of_nothing(aligner: Aligner, texts: Sequence[str]) -> Iterable[Exam
             times_s = np.arange(round(SAMPLE_RATE_HZ * (SILENCE_S + WORD_S * len(said.split())))) / SAMPLE_RATE_HZ
             kinds = (0 * times_s, 0 * times_s + 0.1, 0.01 * chance.standard_normal(len(times_s)))
             samples = (*kinds, 0.1 * np.sin(2 * np.pi * HUM_HZ * times_s))[number % (len(kinds) + 1)]
-            decoded = aligner.decode(Audio(samples), read_transcript(said, max_characters=10_000))
+            decoded = aligner.decode(Audio(samples), read_transcript(said))
             if decoded is not None:
                 yield Example(np.array(evidence(list(chain.from_iterable(decoded.words)))), half, is_other=True)
 

@@ -99,7 +99,7 @@ def _entries(paths: Iterable[Path]) -> Iterator[dict[str, Any]]:
 def _aligned(aligner: Aligner, audio: Audio, text: str) -> list[list[Any]] | None:
     """Each word's text, times and phones; None where the words are not found."""
     try:
-        words, _ = aligner.align(audio, read_transcript(text, max_characters=10_000))
+        words, _ = aligner.align(audio, read_transcript(text))
     except UnderstudyError:
         return None
     return [

@@ -119,8 +119,7 @@ def performed_lines(understudy: Understudy, folder: Path, takes: int) -> Iterato
 
 def unspoken_analyses(understudy: Understudy, texts: Sequence[str]) -> list[Analysis]:
     """What lines say and do that nobody has spoken, in the time of the clock."""
-    limit = understudy.language.settings.max_text_characters
-    lines = [spoken(read_transcript(text, max_characters=limit)) for text in texts]
+    lines = [spoken(read_transcript(text)) for text in texts]
     return [
         replace(each, utterance=replace(each.utterance, duration_s=time_of(each.utterance.words[-1]).end_s + 0.5))
         for each in find_functions_in_all(understudy.language, lines)

@@ -25,8 +25,7 @@ _OF_THE_RESULT = frozenset(
         "affect_model",
         "choice",
         "max_audio_s",
-        "max_audio_bytes",
-        "max_text_characters",
+        "part_bytes",
     }
 )
 """Settings that affect a performance, or whether there is one."""

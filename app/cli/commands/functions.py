@@ -16,7 +16,7 @@ from ..log import Log
 def run(arguments: argparse.Namespace, _log: Log) -> int:
     settings = read_settings()
     if arguments.text is not None:
-        read_transcript(arguments.text, max_characters=settings.max_text_characters)  # before models are loaded
+        read_transcript(arguments.text)  # before models are loaded
     from ...library.language import find_functions
     from ...models import LanguageModels
 

@@ -115,7 +115,7 @@ def _unused(arguments: argparse.Namespace, _log: Log) -> None:
     from ..outputs.listings import unused_lines
 
     settings = read_settings()
-    texts = read_corpus(arguments.corpus, max_characters=settings.max_text_characters)
+    texts = read_corpus(arguments.corpus)
     _print(unused_lines(find_unused(LanguageModels.load(settings), BehaviorModels.load(settings), texts)))
 
 

@@ -10,6 +10,7 @@ from ...errors import InputError
 from ...settings import Settings, read_settings
 from ...studio.pages import OpenedLine
 from ...studio.scenes import OpenedScene
+from ...text.transcript import MAX_CHARACTERS
 from ..files import STANDARD, read_bytes, read_text
 from ..log import Log
 from ..service import run_service
@@ -77,11 +78,11 @@ def _line(arguments: argparse.Namespace, settings: Settings) -> OpenedLine | Non
         return None
     audio = read_bytes(arguments.audio, limit=settings.max_audio_bytes, field="audio")
     name = "line.wav" if arguments.audio == STANDARD else Path(arguments.audio).name
-    return OpenedLine(audio, name, _text(arguments, settings))
+    return OpenedLine(audio, name, _text(arguments))
 
 
-def _text(arguments: argparse.Namespace, settings: Settings) -> str:
+def _text(arguments: argparse.Namespace) -> str:
     """The words; empty if none are given, in which case the page asks for them."""
     if arguments.text_file is None:
         return arguments.text or ""
-    return read_text(arguments.text_file, max_characters=settings.max_text_characters, field="text").strip()
+    return read_text(arguments.text_file, max_characters=MAX_CHARACTERS, field="text").strip()

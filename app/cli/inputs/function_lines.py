@@ -30,7 +30,7 @@ def answer_lines(language: LanguageModels, stream: BufferedIOBase) -> None:
     wrong: list[int] = []
     before = 0
     for lines in waiting_lines(stream):
-        spoken = [_read(line, language.settings.max_text_characters) if line.strip() else None for line in lines]
+        spoken = [_read(line) if line.strip() else None for line in lines]
         analyses = find_functions_in_all(language, [asked.words for asked in spoken if isinstance(asked, _TextLine)])
         for number, asked in enumerate(spoken, start=before + 1):
             if isinstance(asked, MistakeResponse):
@@ -63,32 +63,32 @@ class _TextLine:
     words: tuple[Word, ...]
 
 
-def _read(line: bytes, max_characters: int) -> _TextLine | MistakeResponse:
+def _read(line: bytes) -> _TextLine | MistakeResponse:
     fields: dict[str, object] = {}
     try:
         fields = read_object(line, "line")
         question = read_request(fields)
-        return _TextLine(question.id, read_transcript(question.text, max_characters=max_characters))
+        return _TextLine(question.id, read_transcript(question.text))
     except InputError as error:
         return MistakeResponse.of(error, line_id(fields))
 
 
-def read_corpus(name: str, *, max_characters: int) -> Iterator[str]:
+def read_corpus(name: str) -> Iterator[str]:
     """The texts of a file. Raises InputError `file_unreadable`, and for an unusable line an error that names it."""
     try:
         with Path(name).open("rb") as lines:
             for number, line in enumerate(lines, start=1):
                 if line.strip():
-                    yield _text(line, f"{name}, line {number}", max_characters=max_characters)
+                    yield _text(line, f"{name}, line {number}")
     except (OSError, ValueError) as error:
         raise InputError("file_unreadable", f"{name}: cannot be read: {error}", field="corpus") from None
 
 
-def _text(line: bytes, place: str, *, max_characters: int) -> str:
+def _text(line: bytes, place: str) -> str:
     try:
         is_json = line.lstrip().startswith(b"{")
         text = read_request(read_object(line, "line")).text if is_json else line.decode()
-        read_transcript(text, max_characters=max_characters)
+        read_transcript(text)
     except InputError as error:
         raise InputError(error.code, f"{place}: {error.message}", field="corpus") from None
     except UnicodeDecodeError:

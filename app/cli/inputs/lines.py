@@ -19,6 +19,7 @@ from ...profiles.profile import Profile
 from ...schemas.options import listener_characters, listener_names
 from ...schemas.requests import read_functions, read_timings, spoken_line
 from ...settings import Settings
+from ...text.transcript import MAX_CHARACTERS
 from ..files import STANDARD, read_bytes, read_text
 
 
@@ -107,7 +108,7 @@ def read_line(arguments: argparse.Namespace, settings: Settings) -> Line:
         raise InputError(
             "usage", "only one of audio, text, words, functions, direction and edits can come from standard input (-)"
         )
-    text = _text(arguments, settings)
+    text = _text(arguments)
     timings = None if arguments.words is None else _timings(arguments.words, settings)
     functions = () if arguments.functions is None else _functions(arguments.functions, settings)
     direction = None if arguments.direction is None else _direction(arguments.direction, settings)
@@ -126,10 +127,10 @@ def edits_of(arguments: argparse.Namespace, settings: Settings) -> Edits:
     return read_edits(read_bytes(arguments.edits, limit=settings.part_limits["edits"], field="edits"))
 
 
-def _text(arguments: argparse.Namespace, settings: Settings) -> str:
+def _text(arguments: argparse.Namespace) -> str:
     if arguments.text is not None:
         return str(arguments.text)
-    return read_text(arguments.text_file, max_characters=settings.max_text_characters, field="text")
+    return read_text(arguments.text_file, max_characters=MAX_CHARACTERS, field="text")
 
 
 def _timings(name: str, settings: Settings) -> Timings:

@@ -63,7 +63,7 @@ def hear_lines(folders: Sequence[Path]) -> Iterator[Spoken]:
             sound = path.read_bytes()
             line = Line(sound, path.with_suffix(".txt").read_text())
             heard = analyze_signal(understudy.acoustic, sound)
-            transcript = read_transcript(line.text, max_characters=settings.max_text_characters)
+            transcript = read_transcript(line.text)
             alignment = align_words(understudy.acoustic, heard.audio, transcript)
             shapes, _ = visemes(alignment.words, heard.audio.duration_s)
             yield Spoken(alignment.words, shapes, heard.audio.duration_s, heard.contours.energy_db)
