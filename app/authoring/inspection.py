@@ -20,7 +20,7 @@ from ..options import Options
 from ..performance import perform_line
 from ..rules.chaining.chainer import Derivation, derive
 from ..rules.chaining.matching import FactBase
-from ..rules.chaining.tracing import Firing, NearMiss, RuleTrace, ShownStatement, fires, trace_rule, trace_rules
+from ..rules.chaining.tracing import NearMiss, RuleFiring, RuleTrace, ShownStatement, fires, trace_rule, trace_rules
 from ..rules.derivation import FunctionRules, derive_facts, understand
 from ..rules.lexicon import LexicalEntry
 from ..rules.mapping import MappingRules
@@ -29,9 +29,9 @@ from ..rules.stage import find_functions
 from ..text.transcript import read_transcript
 
 __all__ = [
-    "Firing",
     "NearMiss",
     "Rule",
+    "RuleFiring",
     "RuleTrace",
     "ShownStatement",
     "Trace",

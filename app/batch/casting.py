@@ -157,7 +157,7 @@ def _doubles(source: Source, told: Mapping[str, _CastEntry]) -> Iterator[Mistake
 
 
 @dataclass(frozen=True, slots=True)
-class Casting:
+class CastingPlan:
     """Decides each line's options. `characters` are ours; `partners` are the neighbouring speakers in the scene, by
     the id of the line."""
 
@@ -175,7 +175,7 @@ class Casting:
         lines: Sequence[ScriptLine],
         *,
         has_partners: bool,
-    ) -> "Casting":
+    ) -> "CastingPlan":
         """With `has_partners`, those who speak next to a line become its listeners."""
         return cls(cast, common, characters, neighbours(lines) if has_partners else {})
 

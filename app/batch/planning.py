@@ -17,7 +17,7 @@ from ..models import load_characters
 from ..options import Options
 from ..schemas.edits import read_edits
 from .audio import AudioSource, advice, converter, is_compressed
-from .casting import NOBODY_CAST, Casting, read_cast
+from .casting import NOBODY_CAST, CastingPlan, read_cast
 from .layout import file_name, require_apart
 from .manifest.store import ManifestEntry, State
 from .matching import JoinedLines, UnmatchedLine, find_recordings, join_one_recording, join_recordings
@@ -46,7 +46,7 @@ def plan_batch(request: BatchRequest) -> BatchPlan:
     script = read_script(request.script, request.columns, request.sheets)
     characters = load_characters().by_name
     cast = read_cast(request.cast, frozenset(characters)) if request.cast else NOBODY_CAST
-    casting = Casting.of(cast, request.options, characters, script.lines, has_partners=request.has_partners)
+    casting = CastingPlan.of(cast, request.options, characters, script.lines, has_partners=request.has_partners)
     joined = _joined(request, script)
     edits, problems = edits_of_takes(joined.takes)
     wrong = {problem.id for problem in problems}
@@ -143,7 +143,7 @@ def _with_voice(job: LineJob, reference: SpeakerReference | None) -> LineJob:
     return job if reference is None else replace(job, options=replace(job.options, reference=reference))
 
 
-def _to_learn(casting: Casting, jobs: Sequence[tuple[Take, LineJob]]) -> Iterator[tuple[str, AudioSource]]:
+def _to_learn(casting: CastingPlan, jobs: Sequence[tuple[Take, LineJob]]) -> Iterator[tuple[str, AudioSource]]:
     for take, job in jobs:
         if casting.is_learnt(take.line.character):
             yield take.line.character, job.audio

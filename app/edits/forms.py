@@ -11,7 +11,7 @@ from ..behavior.characters.gesture_forms import stroke_timing
 from ..behavior.characters.overlays import Character
 from ..behavior.table.behavior_table import STROKED, BehaviorEntry
 from ..behavior.timing.anchoring import asked
-from ..behavior.timing.phases import Placing, Window, placed, soonest, underway
+from ..behavior.timing.phases import TimingBasis, Window, placed, soonest, underway
 from ..errors import did_you_mean
 from ..model import Behavior, Channel, Hand, Movement, Notice, SyncPoints, Word
 from ..model.edits import BehaviorEdit
@@ -92,7 +92,7 @@ def _replaced(behavior: Behavior, entry: BehaviorEntry, hand: Hand | None) -> Be
     until_s = sync.end if sync.relax is None else sync.relax
     struck_s = next(each for each in (sync.stroke, sync.ready, sync.start) if each is not None)
     ahead_s = (timing.alignment - timing.emphasis) * timing.stroke.usual_s if stroked else 0.0
-    placing = Placing(timing, max(0.0, struck_s + ahead_s), until_s, stroked)
+    placing = TimingBasis(timing, max(0.0, struck_s + ahead_s), until_s, stroked)
     return replace(
         behavior,
         lexeme=entry.lexeme,
@@ -106,7 +106,7 @@ def _replaced(behavior: Behavior, entry: BehaviorEntry, hand: Hand | None) -> Be
     )
 
 
-def _timed(placing: Placing, channel: Channel) -> SyncPoints:
+def _timed(placing: TimingBasis, channel: Channel) -> SyncPoints:
     """The phases; those for which there is no time before the stroke begin with the performance."""
     sync = placed(placing, Window())
     if sync is None:

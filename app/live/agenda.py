@@ -9,7 +9,7 @@ from random import Random
 
 from ..behavior.characters.overlays import Character
 from ..behavior.table.behavior_table import STROKED, BehaviorEntry
-from ..behavior.timing.phases import Placing, Window, placed
+from ..behavior.timing.phases import TimingBasis, Window, placed
 from ..model import Behavior, Channel
 from .messages import BehaviorMessage, LiveMessage, WithdrawalMessage
 
@@ -43,7 +43,7 @@ class Placer:
         if entry.channel in STROKED:
             before_s += timing.alignment * timing.stroke.usual_s
         at_s = now_s + before_s
-        sync = placed(Placing(timing, at_s, at_s + hold_s, entry.channel in STROKED), Window(now_s, inf))
+        sync = placed(TimingBasis(timing, at_s, at_s + hold_s, entry.channel in STROKED), Window(now_s, inf))
         assert sync is not None, "there is time for the shortest phases"
         return Behavior(
             id=f"{entry.channel.value}{self.made}",

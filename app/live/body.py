@@ -39,7 +39,7 @@ _JAW, _CLOSE = INDEX["jawOpen"], INDEX["mouthClose"]
 
 
 @dataclass(frozen=True, slots=True)
-class Performing:
+class LiveBodyOptions:
     """The character, seed, frame rate and stillness of a live body."""
 
     character: str
@@ -91,7 +91,7 @@ class Pose:
 class LiveBody:
     """Gives frames up to a moment, each once. Memory is bounded."""
 
-    def __init__(self, realizer: Realizer, performing: Performing) -> None:
+    def __init__(self, realizer: Realizer, performing: LiveBodyOptions) -> None:
         self._realizer, self._performing = realizer, performing
         self._frame_s = 1 / performing.frame_rate_hz
         self._next = self._clocks = self._begin = 0

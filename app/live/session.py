@@ -16,7 +16,7 @@ from ..model import Affect, Behavior, FloatArray, Word
 from ..motion_models.playing import UnitPlayer
 from ..options import Options
 from .agenda import REMEMBERED_S, WORDED, Agenda, Placer
-from .body import BodyFrame, BodyRequest, LiveBody, Performing
+from .body import BodyFrame, BodyRequest, LiveBody, LiveBodyOptions
 from .ear import Ear, RecentVoice, RunningFeeling
 from .messages import LiveMessage, LiveOptions, MouthMessage, PhraseMessage
 from .models import LiveModels
@@ -207,5 +207,5 @@ class LiveSession:
 def _body(models: LiveModels, options: LiveOptions) -> LiveBody | None:
     if options.frame_rate_hz is None:
         return None
-    performing = Performing(options.character, options.seed, options.frame_rate_hz, options.stillness)
+    performing = LiveBodyOptions(options.character, options.seed, options.frame_rate_hz, options.stillness)
     return LiveBody(models.understudy.realizer, performing)

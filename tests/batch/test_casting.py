@@ -5,7 +5,7 @@ from types import MappingProxyType
 
 import pytest
 
-from understudy.batch.casting import Cast, Casting, CastPart, listener_name, neighbours
+from understudy.batch.casting import Cast, CastingPlan, CastPart, listener_name, neighbours
 from understudy.batch.model import Recording, ScriptLine, Take
 from understudy.model import Level, Target
 from understudy.options import Options
@@ -19,7 +19,7 @@ def line(row: int, character: str, scene: str = "1", **fields: object) -> Script
 
 def options(told: ScriptLine, lines: list[ScriptLine], *, has_partners: bool = True, **parts: CastPart) -> Options:
     cast = Cast(MappingProxyType(parts))
-    casting = Casting.of(cast, Options(seed=1, stillness=0.25), OURS, lines, has_partners=has_partners)
+    casting = CastingPlan.of(cast, Options(seed=1, stillness=0.25), OURS, lines, has_partners=has_partners)
     return casting.options(Take(told.id, told, Recording(Path("rec/x.wav"))))
 
 
@@ -63,7 +63,7 @@ def test_things_are_where_the_row_says_else_the_cast_else_the_command() -> None:
     told = line(1, "Ann", targets=(Target("door", (3, 1, 1)),))
     part = CastPart(targets=(Target("door", (2, 1, 1)), Target("cup", (2, 1, 1))))
     common = Options(targets=tuple(Target(name, (1, 1, 1)) for name in ("door", "cup", "moon")))
-    casting = Casting.of(Cast(MappingProxyType({"ann": part})), common, OURS, [told], has_partners=True)
+    casting = CastingPlan.of(Cast(MappingProxyType({"ann": part})), common, OURS, [told], has_partners=True)
     targets = casting.options(Take("l1", told, Recording(Path("x.wav")))).targets
     assert {target.name: target.position_m[0] for target in targets} == {"door": 3, "cup": 2, "moon": 1}
 
@@ -88,6 +88,6 @@ def test_listeners_have_names_that_bml_takes(name: str, called: str) -> None:
 def test_what_of_the_cast_is_not_in_the_script_is_told() -> None:
     cast = Cast(MappingProxyType({}), names=("ANNE", "*", "Ben"))
     lines = [line(1, "ANNA"), line(2, "ben")]
-    told = Casting.of(cast, Options(), OURS, lines, has_partners=True).remarks(lines)
+    told = CastingPlan.of(cast, Options(), OURS, lines, has_partners=True).remarks(lines)
     assert len(told) == 1
     assert "'ANNA'" in told[0]

@@ -15,8 +15,8 @@ from understudy.live.body import (
     BodyFrame,
     BodyRequest,
     LiveBody,
+    LiveBodyOptions,
     Offset,
-    Performing,
     Pose,
 )
 from understudy.live.mouth import MouthShape
@@ -46,7 +46,7 @@ def steps(frames: list[BodyFrame]) -> FloatArray:
 
 @pytest.fixture
 def body(understudy: Understudy) -> LiveBody:
-    return LiveBody(understudy.realizer, Performing("default", 3, RATE_HZ))
+    return LiveBody(understudy.realizer, LiveBodyOptions("default", 3, RATE_HZ))
 
 
 def test_a_schedule_that_does_not_change_is_realized_as_ever(understudy: Understudy, body: LiveBody) -> None:

@@ -120,14 +120,14 @@ def of_row(row: tuple[Any, ...]) -> ManifestEntry:
     try:
         files = [dict(zip(_OF_A_FILE, file, strict=True)) for file in json.loads(outputs)]
         notices = [dict(zip(_OF_A_NOTICE, notice, strict=True)) for notice in json.loads(warnings)]
-        told = None if measures is None else json.loads(measures)
+        measured = None if measures is None else json.loads(measures)
     except (TypeError, RecursionError) as wrong:
         raise ValueError(str(wrong)) from None
     values = dict(zip(COLUMNS[:12], row[:12], strict=True)) | {
         "state": state,
         "outputs": files,
         "warnings": notices,
-        "measures": told,
+        "measures": measured,
         "failure": None if error_code is None else {"code": error_code, "message": error},
         "seconds": seconds,
     }
@@ -162,7 +162,7 @@ class Manifest:
         self._folder = folder
         self._lock = _locked(folder)
         try:
-            with _told(folder):
+            with _translated_errors(folder):
                 self._connection = sqlite3.connect(folder / FILE, isolation_level=None)
                 _require_readable_version(self._connection, folder)
                 self._connection.execute("PRAGMA journal_mode = WAL")
@@ -176,7 +176,7 @@ class Manifest:
 
     def entries(self) -> dict[str, ManifestEntry]:
         """All rows by id, in the script's order."""
-        with _told(self._folder):
+        with _translated_errors(self._folder):
             rows = self._connection.execute(_SELECT).fetchall()
         folders: dict[PurePath, bool] = {}
         return {row[0]: _checked(row, self._folder, folders) for row in rows}
@@ -193,7 +193,7 @@ class Manifest:
 
     def known_recordings(self) -> dict[str, KnownRecording]:
         """The hashes of recordings, by path."""
-        with _told(self._folder):
+        with _translated_errors(self._folder):
             rows = self._connection.execute("SELECT path, size, modified_ns, hash FROM recordings").fetchall()
             return dict(map(_recording, rows))
 
@@ -206,7 +206,7 @@ class Manifest:
     @contextmanager
     def _written(self) -> Iterator[None]:
         """A transaction, which is undone where it fails."""
-        with _told(self._folder), self._connection:
+        with _translated_errors(self._folder), self._connection:
             self._connection.execute("BEGIN")
             yield
 
@@ -240,7 +240,7 @@ def _locked(folder: Path) -> sqlite3.Connection:
 
 
 @contextmanager
-def _told(folder: Path) -> Iterator[None]:
+def _translated_errors(folder: Path) -> Iterator[None]:
     """Translates SQLite's errors: a full disk, for instance, is not a broken manifest."""
     try:
         yield

@@ -121,8 +121,8 @@ def _part(element: Element, notes: Sequence[str], rows: _Rows) -> Paragraph:
         case Parenthetical():
             return Paragraph("aside", element.text.strip())
         case Dialogue() | Lyric():
-            told = [_ID_NOTE.fullmatch(notes[int(number)]) for number in _NOTE.findall(element.text_raw)]
-            return Paragraph("words", _plain(element.text), id=next((match[1] for match in told if match), ""))
+            ids = [_ID_NOTE.fullmatch(notes[int(number)]) for number in _NOTE.findall(element.text_raw)]
+            return Paragraph("words", _plain(element.text), id=next((match[1] for match in ids if match), ""))
         case _:
             return Paragraph("other")
 

@@ -81,7 +81,7 @@ class _Shown:
 
 
 @dataclass(frozen=True, slots=True)
-class _Weighed:
+class _CandidateWorth:
     """What a candidate is worth in log-odds and what would have been enough; `explained` gives the parts of the sum,
     the largest first, which most candidates do without."""
 
@@ -212,19 +212,21 @@ def _behavior(candidate: _Candidate, player: Player, interval: Interval) -> Beha
     )
 
 
-def _weighed(candidate: _Candidate, shown: _Shown, winner: Behavior | None) -> _Weighed:
+def _weighed(candidate: _Candidate, shown: _Shown, winner: Behavior | None) -> _CandidateWorth:
     """What the candidate is worth where it is worth most, and what would have been enough."""
     moment = candidate.moment
     if moment is not None:
-        return _Weighed(0.0, 0.0, lambda: moment.terms)
+        return _CandidateWorth(0.0, 0.0, lambda: moment.terms)
     if candidate.channel is Channel.GESTURE:
         weighed = _as_gesture(candidate, shown.planned, shown.player, winner)
     else:
         weighed = _as_kind(candidate, shown.planned, shown.forms.kinds.get(candidate.name))
-    return weighed or _Weighed(-inf, 0.0, lambda: candidate.supports[0].parts if candidate.supports else ())
+    return weighed or _CandidateWorth(-inf, 0.0, lambda: candidate.supports[0].parts if candidate.supports else ())
 
 
-def _as_gesture(candidate: _Candidate, planned: Plan, player: Player, winner: Behavior | None) -> _Weighed | None:
+def _as_gesture(
+    candidate: _Candidate, planned: Plan, player: Player, winner: Behavior | None
+) -> _CandidateWorth | None:
     worths, lexeme = planned.worths, player.lexeme(candidate.name)
     if worths is None or lexeme not in worths.lexemes:
         return None
@@ -234,17 +236,17 @@ def _as_gesture(candidate: _Candidate, planned: Plan, player: Player, winner: Be
     made = None if winner is None or stroke is None else worths.of(stroke, winner.lexeme)
     price = min(max(planned.price, 0.01), 0.99)
     enough = log(price / (1 - price)) if made is None else made
-    return _Weighed(by_word[word], enough, partial(worths.parts, word, lexeme))
+    return _CandidateWorth(by_word[word], enough, partial(worths.parts, word, lexeme))
 
 
-def _as_kind(candidate: _Candidate, planned: Plan, kind: str | None) -> _Weighed | None:
+def _as_kind(candidate: _Candidate, planned: Plan, kind: str | None) -> _CandidateWorth | None:
     """A head movement or face beside the threshold of its kind."""
     worths = planned.kinds.get(candidate.channel)
     if worths is None or kind is None or kind not in worths.kinds:
         return None
     margin, column = worths.margin(kind, candidate.first, candidate.last), worths.kinds.index(kind)
     word = max(range(candidate.first, candidate.last + 1), key=lambda each: float(worths.likely[each, column]))
-    return _Weighed(margin, 0.0, partial(worths.parts, kind, word))
+    return _CandidateWorth(margin, 0.0, partial(worths.parts, kind, word))
 
 
 def _in_its_place(channel: Channel, behaviors: Iterable[Behavior], interval: Interval) -> Behavior | None:

@@ -35,7 +35,7 @@ from ..idle.idle_behaviors import LISTENING, IdleBehavior, blinks
 from ..reading.player import Ban, banned
 from ..timing.anchoring import PlacedBehavior, placed_idle
 from ..timing.conflicts import resolve
-from ..timing.phases import Placing
+from ..timing.phases import TimingBasis
 
 DISTANCE_M = 1.25
 EYES_M = 1.60
@@ -213,7 +213,7 @@ def _mirrored(behavior: Behavior, listener: Character) -> PlacedBehavior:
     )
     timing = listener.entries[NOD].timing
     at_s = sync.stroke_end if sync.stroke_end is not None else sync.end
-    return PlacedBehavior(mirrored, Placing(timing, at_s, sync.end, stroked=True))
+    return PlacedBehavior(mirrored, TimingBasis(timing, at_s, sync.end, stroked=True))
 
 
 def _nods(timed: tuple[Word, ...], rates: HeadRates, generator: random.Random) -> Iterator[IdleBehavior]:

@@ -111,7 +111,7 @@ def plan(planner: Planner, line: Understood, player: Player, *, still: Sequence[
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Taken:
+class _StrokeSelection:
     """The words taken for strokes, those of them that are sides of a contrast, where strokes can fall, and what they
     are worth beside each other, with the price of one."""
 
@@ -122,7 +122,9 @@ class _Taken:
     price: float
 
 
-def _taken(planner: Planner, reading: Reading, line: Understood, player: Player, still: Sequence[int]) -> _Taken:
+def _taken(
+    planner: Planner, reading: Reading, line: Understood, player: Player, still: Sequence[int]
+) -> _StrokeSelection:
     utterance, quantity = line.utterance, player.quantity * player.by_agitation
     worths = _worths(planner, reading, line, player)
     worth = Worth(worth_of(worths.log_odds), reading.at_word @ planner.shown.T, reading.stroke)
@@ -136,7 +138,7 @@ def _taken(planner: Planner, reading: Reading, line: Understood, player: Player,
     shares = {word: worth.share(found[word].window)[word] for word in words if word not in placed}
     worths = after_what_was_shown(worths, shares, ground.times_s)
     worth_it = replace(worth, whole=worth_of(worths.log_odds)).gains() >= price
-    return _Taken([word for word in words if word in placed or worth_it[word]], placed, ground, worths, price)
+    return _StrokeSelection([word for word in words if word in placed or worth_it[word]], placed, ground, worths, price)
 
 
 def _heads_and_faces(

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from ...model import Token
 from ...model.slots import Distance
 from .patterns import PatternMatch, find, number_of, possible, vocabulary_of
-from .table import LENGTH, NOUN, Saying, SlotTable
+from .table import LENGTH, NOUN, SlotPhrase, SlotTable
 
 Value = str | int | float
 NEAR_M = 3.0
@@ -44,7 +44,9 @@ def findings(table: SlotTable, tokens: Sequence[Token]) -> tuple[Finding, ...]:
     return tuple(sorted(kept, key=lambda each: (each.first, each.last, each.slot)))
 
 
-def _said(table: SlotTable, saying: Saying, tokens: Sequence[Token], vocabulary: frozenset[str]) -> Iterator[Finding]:
+def _said(
+    table: SlotTable, saying: SlotPhrase, tokens: Sequence[Token], vocabulary: frozenset[str]
+) -> Iterator[Finding]:
     for pattern in saying.words:
         if not possible(pattern, vocabulary):
             continue
@@ -54,7 +56,7 @@ def _said(table: SlotTable, saying: Saying, tokens: Sequence[Token], vocabulary:
                 yield found
 
 
-def _finding(table: SlotTable, saying: Saying, match: PatternMatch, tokens: Sequence[Token]) -> Finding | None:
+def _finding(table: SlotTable, saying: SlotPhrase, match: PatternMatch, tokens: Sequence[Token]) -> Finding | None:
     """The finding of a match; None if it has a length or number that cannot be shown."""
     value: Value | None = saying.value
     length_m: float | None = None

@@ -25,7 +25,7 @@ _CLASSES = MappingProxyType({"height": Height, "size": Size, "side": Side, "dist
 
 
 @dataclass(frozen=True, slots=True)
-class Saying:
+class SlotPhrase:
     """Words that give a slot a value (None: none), if one of the patterns of `line` is anywhere in the line."""
 
     slot: str
@@ -47,7 +47,7 @@ class SlotTable:
     """The file: what words say, which lengths the classes usually have; `shown` are the slots that each gesture lexeme
     can show."""
 
-    sayings: tuple[Saying, ...]
+    sayings: tuple[SlotPhrase, ...]
     pairs: tuple[ContrastPair, ...]
     numbers: Mapping[str, float]
     units_m: Mapping[str, float]
@@ -121,10 +121,10 @@ class _SlotsFile(Entry):
     slots: dict[str, tuple[_SlotLine, ...]]
 
 
-def _sayings(file: _SlotsFile, read: Callable[[Sequence[str]], tuple[Pattern, ...]]) -> Iterator[Saying]:
+def _sayings(file: _SlotsFile, read: Callable[[Sequence[str]], tuple[Pattern, ...]]) -> Iterator[SlotPhrase]:
     for slot, lines in file.slots.items():
         for line in lines:
-            yield Saying(slot, None if line.value == NOTHING else line.value, read(line.words), read(line.line))
+            yield SlotPhrase(slot, None if line.value == NOTHING else line.value, read(line.words), read(line.line))
 
 
 def _shown(file: _SlotsFile, families: Sequence[str]) -> Iterator[str]:

@@ -15,7 +15,7 @@ from ...model import Behavior, Channel, Hand, Interval, Movement, Phone, SyncPoi
 from ...model.limits import LATEST_S, Forms
 from ..idle.idle_behaviors import IdleBehavior
 from ..table.behavior_table import STROKED, Anchor, BehaviorEntry, BriefGesture, PhaseDuration
-from .phases import Placing, Window, placed, soonest, underway
+from .phases import TimingBasis, Window, placed, soonest, underway
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,7 +23,7 @@ class PlacedBehavior:
     """A behaviour with the basis of its timing; a gesture with its forms by hand, and with its brief variant."""
 
     behavior: Behavior
-    placing: Placing
+    placing: TimingBasis
     forms: Mapping[Hand, Forms] = field(default_factory=dict)
     brief: BriefGesture | None = None
 
@@ -85,7 +85,7 @@ def filler(entry: BehaviorEntry, interval: Interval, word: int, reason: str) -> 
     timing = entry.timing
     retraction_s = min(timing.retraction.usual_s, interval.duration_s / 4)
     at_s = interval.start_s + min(timing.preparation.usual_s + timing.stroke.usual_s, interval.duration_s / 2)
-    placing = Placing(timing, at_s, interval.end_s - retraction_s, entry.channel in STROKED)
+    placing = TimingBasis(timing, at_s, interval.end_s - retraction_s, entry.channel in STROKED)
     sync = placed(placing, Window(interval.start_s, interval.end_s))
     assert sync is not None, "the interval has room for it"
     name = f"own.{entry.name}.{interval.start_s:.3f}"
@@ -142,13 +142,13 @@ def _stroke_word(movement: Movement, anchor: Anchor, words: Sequence[Word]) -> W
     return max(reversed(words), key=lambda word: word.emphasis or 0.0)
 
 
-def _placing(entry: BehaviorEntry, at_s: float, until_s: float) -> Placing:
+def _placing(entry: BehaviorEntry, at_s: float, until_s: float) -> TimingBasis:
     stroked = entry.channel in STROKED
     earliest_s = 0.0 if stroked else entry.timing.preparation.shortest_s
-    return Placing(entry.timing, max(floor(at_s * 1000) / 1000, earliest_s), until_s, stroked)
+    return TimingBasis(entry.timing, max(floor(at_s * 1000) / 1000, earliest_s), until_s, stroked)
 
 
-def _in_time(placing: Placing, channel: Channel) -> tuple[Placing, SyncPoints, str | None]:
+def _in_time(placing: TimingBasis, channel: Channel) -> tuple[TimingBasis, SyncPoints, str | None]:
     """The placing, or one that begins with the performance; its sync points; and the reason for the change."""
     sync = placed(placing, Window())
     if sync is not None:

@@ -27,7 +27,7 @@ class Window:
 
 
 @dataclass(frozen=True, slots=True)
-class Placing:
+class TimingBasis:
     """The basis of a behaviour's timing; only `stroked` behaviours have the inner sync points."""
 
     timing: Timing
@@ -36,7 +36,7 @@ class Placing:
     stroked: bool
 
 
-def placed(placing: Placing, window: Window) -> SyncPoints | None:
+def placed(placing: TimingBasis, window: Window) -> SyncPoints | None:
     """The phases at their usual length, as far as the window permits; None if even the shortest do not fit.
 
     Before the vowel the preparation is shortened first, then the stroke; after it the retraction, then the hold.
@@ -67,15 +67,15 @@ def placed(placing: Placing, window: Window) -> SyncPoints | None:
     )
 
 
-def underway(placing: Placing) -> Placing:
-    """The placing for a gesture whose word comes too soon to prepare for it: its hand is raised already when the
+def underway(placing: TimingBasis) -> TimingBasis:
+    """The basis for a gesture whose word comes too soon to prepare for it: its hand is raised already when the
     performance begins. If there is no time for the stroke either, it ends as soon after the vowel as it can."""
     raised = replace(placing.timing, preparation=PhaseDuration(0.0, 0.0))
     return replace(placing, timing=raised, at_s=max(placing.at_s, raised.alignment * raised.stroke.shortest_s))
 
 
-def soonest(placing: Placing) -> Placing:
-    """The placing as soon as possible after the performance begins, a little late for its word."""
+def soonest(placing: TimingBasis) -> TimingBasis:
+    """The basis for a start as soon as possible after the performance begins, a little late for its word."""
     timing = placing.timing
     earliest_s = timing.preparation.shortest_s + timing.alignment * timing.stroke.shortest_s
     return replace(placing, at_s=max(placing.at_s, earliest_s))

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ...authoring.catalogue import Catalogue, Item, ItemKind, shown_path
-from ...authoring.inspection import Firing, NearMiss, Rule, RuleTrace, ShownStatement, Trace, UnusedEntries
+from ...authoring.inspection import NearMiss, Rule, RuleFiring, RuleTrace, ShownStatement, Trace, UnusedEntries
 from ...model import Behavior, Hand, Moment, Word
 from ...profiles.profile import Profile
 
@@ -170,7 +170,7 @@ def _behavior(behavior: Behavior, words: Sequence[Word]) -> str:
     return f"  {told:30s} {spoken:30s} {why if behavior.kept else behavior.reason or ''}".rstrip()
 
 
-def _firing(firing: Firing, words: Sequence[Word]) -> Iterator[str]:
+def _firing(firing: RuleFiring, words: Sequence[Word]) -> Iterator[str]:
     yield f"  {_place(firing.rule)}"
     for said in firing.joined:
         yield _said("", said, words)

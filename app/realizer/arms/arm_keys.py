@@ -111,7 +111,7 @@ def _rest_keys(skeleton: Skeleton, rest: ArmRest) -> Iterator[TimedPose]:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Posed:
+class _PosedKey:
     """A key of a clip, at its absolute time and with its pose."""
 
     time_s: float
@@ -161,7 +161,7 @@ def _arced(gesture: ArmGesture, end: PartialPose, arc: Arc) -> Iterator[TimedPos
         yield TimedPose(gesture.markers.relax + _HALF * way_s, PartialPose(parts), noise=STROKE_NOISE)
 
 
-def _posed(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[_Posed]:
+def _posed(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[_PosedKey]:
     said = [(key, arm_key(key, gesture.side)) for key in gesture.placed.clip.keys if _is_played(gesture, key)]
     played = [(key, of_arm) for key, of_arm in said if of_arm is not None]
     asked, placed = tuple(of_arm for _key, of_arm in played), gesture.placed
@@ -174,7 +174,7 @@ def _posed(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[_Posed]:
     for (key, _of_arm), pose in zip(played, poses, strict=True):
         made = _part_of_the_way(skeleton, gesture, pose) if placed.follows else pose
         made = _bent(made, gesture.side, placed.bends_deg) if placed.bends_deg else made
-        yield _Posed(_on_the_clock(gesture, key.time_s), key, made)
+        yield _PosedKey(_on_the_clock(gesture, key.time_s), key, made)
 
 
 def _part_of_the_way(skeleton: Skeleton, gesture: ArmGesture, pose: PartialPose) -> PartialPose:
@@ -241,7 +241,7 @@ def _on_the_clock(gesture: ArmGesture, clip_s: float) -> float:
     return on_s + min(max(share, 0.0), 1.0) * (off_s - on_s)
 
 
-def _timed(gesture: ArmGesture, posed: _Posed) -> TimedPose:
+def _timed(gesture: ArmGesture, posed: _PosedKey) -> TimedPose:
     expressivity, kind = gesture.placed.clip.expressivity, posed.key.type
     in_stroke = kind in {FrameType.STROKE_START, FrameType.STROKE, FrameType.STROKE_END}
     holds = kind in {FrameType.HOLD, FrameType.RELAX, FrameType.STROKE_END}

@@ -40,7 +40,7 @@ WATCH = "WATCH"
 AHEAD_S = 0.15
 """How much earlier than the hand the eyes set out."""
 LONGEST_WAY_S = 0.6
-"""Of a hand that sets out longer before its stroke, this last part counts."""
+"""A hand counts as setting out at most this long before its stroke."""
 THERE_S = 0.25
 SHORTEST_S, LONGEST_S = 0.2, 0.9
 """How long the eyes stay after the stroke's end and after its start, at least and at most."""

@@ -42,24 +42,24 @@ SUNK_DEGREES = 80.0
 
 
 @dataclass(frozen=True, slots=True)
-class Opening:
+class LidOpening:
     """The elevations of the upper and lower lid's edges at the centre of the eye."""
 
     upper: float
     lower: float
 
 
-OPEN = Opening(18.5, -21.0)
+OPEN = LidOpening(18.5, -21.0)
 """The upper lid lies over the iris by a ninth of its height, as in people at ease; white above it is alarm."""
 CLOSED_AT = -9.0
-OPENINGS: Mapping[str, Opening] = MappingProxyType(
+OPENINGS: Mapping[str, LidOpening] = MappingProxyType(
     {
-        "eyeBlink": Opening(CLOSED_AT, CLOSED_AT),
-        "eyeSquint": Opening(9.5, -11.0),
-        "eyeWide": Opening(34.0, -26.0),
-        "eyeLookDown": Opening(4.0, -25.0),
-        "eyeLookUp": Opening(30.0, -17.0),
-        "cheekSquint": Opening(OPEN.upper, -13.0),
+        "eyeBlink": LidOpening(CLOSED_AT, CLOSED_AT),
+        "eyeSquint": LidOpening(9.5, -11.0),
+        "eyeWide": LidOpening(34.0, -26.0),
+        "eyeLookDown": LidOpening(4.0, -25.0),
+        "eyeLookUp": LidOpening(30.0, -17.0),
+        "cheekSquint": LidOpening(OPEN.upper, -13.0),
     }
 )
 """The lid openings of the blendshapes that move them."""
@@ -160,7 +160,7 @@ def _held(points: FloatArray, own: Mapping[str, FloatArray]) -> Tissue:
     return Tissue(points, nothing, nothing, nothing, inside=True, own=own)
 
 
-def _lid_m(eye_m: FloatArray, side: str, opening: Opening, *, upper: bool, sideways: float = 0.0) -> FloatArray:
+def _lid_m(eye_m: FloatArray, side: str, opening: LidOpening, *, upper: bool, sideways: float = 0.0) -> FloatArray:
     """The lid's points, starting at the edge: ((ROWS + 2) × azimuths, 3)."""
     edge = _edge(opening.upper if upper else opening.lower, side)
     sunk = SUNK_DEGREES if upper else -SUNK_DEGREES
@@ -172,7 +172,7 @@ def _lid_m(eye_m: FloatArray, side: str, opening: Opening, *, upper: bool, sidew
     return np.concatenate(shells)
 
 
-def _lash_m(eye_m: FloatArray, side: str, opening: Opening) -> FloatArray:
+def _lash_m(eye_m: FloatArray, side: str, opening: LidOpening) -> FloatArray:
     edge = _edge(opening.upper, side)
     sign = 1.0 if side == "left" else -1.0
     lowest, highest = sorted((sign * INNER.azimuth, sign * OUTER.azimuth))

@@ -26,18 +26,18 @@ if TYPE_CHECKING:
 
 
 STEP_S = 1 / 480
-"""Of the simulation; a whole number of them makes a frame at 30 and at 60 a second."""
+"""The time step of the simulation, a whole fraction of a frame at 30 and at 60 frames a second."""
 
 FEET = ("leftFoot", "rightFoot")
 GRAVITY_M_S2 = 9.81
 
 _FRICTION = "1 0.005 0.0001"
-"""Of rubber soles: sliding, and MuJoCo's own for turning and rolling."""
+"""The friction of rubber soles when they slide; for turning and rolling, MuJoCo's defaults."""
 
 
 @dataclass(frozen=True, slots=True)
 class Servo:
-    """How fast a joint's servo would swing (Hz), and how soon that dies away: 1 is without overshoot."""
+    """The natural frequency (Hz) and the damping ratio of a joint's servo; 1 is critically damped."""
 
     frequency_hz: float
     damping: float
@@ -58,14 +58,14 @@ SERVOS: Mapping[str, Servo] = MappingProxyType(
         "Hand": Servo(4.0, 0.4),
     }
 )
-"""By joint, those of the arms without their side; an arm is loosest at the wrist."""
+"""The servo of each joint, for arms without the side; an arm is loosest at the wrist."""
 
 LEGS: Mapping[str, float] = MappingProxyType({"UpperLeg": 2.0, "LowerLeg": 2.0, "Foot": 0.8})
 """The stiffness of both legs' joints together, as a share of that at which a standing body would just not topple: its
 weight times the height of its hips."""
 
 _LEG_DAMPING_S = 0.06
-"""Of its stiffness."""
+"""The damping of a leg's joint as a share of its stiffness, seconds."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -25,14 +25,14 @@ _SOFTNESS_M = 0.0025
 
 
 @dataclass(frozen=True, slots=True)
-class Footing:
+class FootPlacement:
     """A planted foot: its ankle's position, and its heading to the left in radians."""
 
     ankle_m: tuple[float, float, float]
     yaw: float
 
 
-Feet = tuple[Footing, Footing]
+Feet = tuple[FootPlacement, FootPlacement]
 """The left and the right foot."""
 
 
@@ -44,7 +44,7 @@ class FeetCourse:
     yaws: FloatArray
 
 
-_STANDING: Feet = (Footing((0.115, 0.08, -0.012), 0.16), Footing((-0.110, 0.08, -0.038), -0.12))
+_STANDING: Feet = (FootPlacement((0.115, 0.08, -0.012), 0.16), FootPlacement((-0.110, 0.08, -0.038), -0.12))
 
 
 @lru_cache(maxsize=64)
@@ -52,7 +52,7 @@ def standing(skeleton: Skeleton) -> Feet:
     """The usual footing: feet slightly apart, toes out, the left foot a little in front."""
     scale, hips = skeleton.proportions.scale, skeleton.proportions.hips
     left, right = (
-        Footing((hips * foot.ankle_m[0], scale * foot.ankle_m[1], scale * foot.ankle_m[2]), foot.yaw)
+        FootPlacement((hips * foot.ankle_m[0], scale * foot.ankle_m[1], scale * foot.ankle_m[2]), foot.yaw)
         for foot in _STANDING
     )
     return left, right

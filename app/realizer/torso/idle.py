@@ -7,7 +7,7 @@ Breathing: at rest people breathe about 15 times a minute, inhaling for two fift
 and more deeply in pauses and before the first word, and exhale slowly over whole phrases. Lung volume is 0 after quiet
 expiration and 1 after deep inspiration.
 
-Bearing: an agitated person leans forward with the chest lifted; a lax person leans back a little with a rounded upper
+TrunkLean: an agitated person leans forward with the chest lifted; a lax person leans back a little with a rounded upper
 back. The angles are ours.
 
 Conventions: seconds; degrees in the tables, radians and metres elsewhere; positive pitch is forward.
@@ -47,17 +47,17 @@ _PELVIS_DEGREES = 4.0
 
 def lean(level: Level) -> float:
     """The lean of the trunk in radians; the hips move the opposite way."""
-    return float(np.radians(BEARINGS[level].lean_deg))
+    return float(np.radians(TRUNK_LEANS[level].lean_deg))
 
 
 @cache
 def bow(level: Level) -> FloatArray:
     """The pitch of the joints from the hips up (4,), without the lean. Never mutated."""
-    return np.asarray(np.radians(BEARINGS[level].bow_deg) * np.array(list(_BOW.values())))
+    return np.asarray(np.radians(TRUNK_LEANS[level].bow_deg) * np.array(list(_BOW.values())))
 
 
 @dataclass(frozen=True, slots=True)
-class Bearing:
+class TrunkLean:
     """The lean of the whole trunk from the hips, and the bow of the back above them."""
 
     lean_deg: float
@@ -67,8 +67,8 @@ class Bearing:
 _BOW: Mapping[str, float] = MappingProxyType({"hips": 0.0, "spine": 0.25, "chest": 0.40, "upperChest": 0.35})
 """The joints' shares of a bow."""
 
-BEARINGS: Mapping[Level, Bearing] = MappingProxyType(
-    {Level.LOW: Bearing(-1.5, 5.0), Level.MEDIUM: Bearing(0.0, 0.0), Level.HIGH: Bearing(3.0, -3.0)}
+TRUNK_LEANS: Mapping[Level, TrunkLean] = MappingProxyType(
+    {Level.LOW: TrunkLean(-1.5, 5.0), Level.MEDIUM: TrunkLean(0.0, 0.0), Level.HIGH: TrunkLean(3.0, -3.0)}
 )
 
 _HIPS_BACK_M = 0.22

@@ -14,7 +14,7 @@ from ...model import Channel, FloatArray, Schedule
 from ..body.motion import BodyMotion, Decision
 from ..body.skeleton import Skeleton
 from ..geometry.curves import minimum_jerk, plateau
-from .balance import FeetCourse, Footing, hips_height_m, set_legs, standing
+from .balance import FeetCourse, FootPlacement, hips_height_m, set_legs, standing
 
 SHORTEST_TAKE_S = 20.0
 FIRST_S = 5.0
@@ -104,7 +104,9 @@ def _starts_s(schedule: Schedule) -> Iterator[float]:
         yield last_s
 
 
-def _course(times_s: FloatArray, planted: tuple[Footing, Footing], steps: tuple[FootStep, ...]) -> FeetCourse:
+def _course(
+    times_s: FloatArray, planted: tuple[FootPlacement, FootPlacement], steps: tuple[FootStep, ...]
+) -> FeetCourse:
     """The course of both feet."""
     ankles_m = np.array([np.tile(foot.ankle_m, (len(times_s), 1)) for foot in planted])
     yaws = np.array([np.full(len(times_s), foot.yaw) for foot in planted])

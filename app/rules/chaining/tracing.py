@@ -56,7 +56,7 @@ class UnmetCondition:
 
 
 @dataclass(frozen=True, slots=True)
-class Firing:
+class RuleFiring:
     """A match of a rule: the facts it joined in the order of the rule, and what it asserts or may choose."""
 
     rule: Rule
@@ -78,14 +78,14 @@ class RuleTrace:
     """All matches in the order of the rules, and the nearest misses of rules without a match, those that found most
     first."""
 
-    firings: tuple[Firing, ...]
+    firings: tuple[RuleFiring, ...]
     near_misses: tuple[NearMiss, ...]
 
 
 def trace_rules(program: Program, facts: Iterable[Fact]) -> RuleTrace:
     """The matches of each rule with all given and derived facts, and at most one near miss of each."""
     tracer = _Tracer(program, FactBase.of(facts))
-    firings: list[Firing] = []
+    firings: list[RuleFiring] = []
     near: list[tuple[tuple[int, int], NearMiss]] = []
     for rule in program.rules:
         found = tuple(matches(rule.tree, tracer.facts, most_unmet=1))
@@ -121,8 +121,8 @@ class _Tracer:
     program: Program
     facts: FactBase
 
-    def firing(self, rule: Rule, match: Match) -> Firing:
-        return Firing(rule, self._joined(match), tuple(self._concluded(rule, match.bindings)))
+    def firing(self, rule: Rule, match: Match) -> RuleFiring:
+        return RuleFiring(rule, self._joined(match), tuple(self._concluded(rule, match.bindings)))
 
     def near_miss(self, rule: Rule, match: Match) -> NearMiss:
         obstacles = tuple(self._obstacle(part, match.bindings) for part in match.unmet)

@@ -73,8 +73,10 @@ def _in_folder(source: StudySource, options: Options) -> Iterator[StudyLine]:
     found = find_recordings(source.lines, without=source.out)
     wordless = [each.relative for each in found if not each.path.with_suffix(".txt").is_file()]
     if wordless or not found:
-        told = f"no words for {', '.join(wordless)}; put them beside it in a .txt" if found else "no recordings in it"
-        raise InputError("study_lines", f"{source.lines}: {told}", field="lines")
+        problem = (
+            f"no words for {', '.join(wordless)}; put them beside it in a .txt" if found else "no recordings in it"
+        )
+        raise InputError("study_lines", f"{source.lines}: {problem}", field="lines")
     for each in found:
         yield StudyLine(each.stem, Line(each.path.read_bytes(), _text(each.path.with_suffix(".txt"))), options)
 

@@ -10,7 +10,7 @@ from understudy.behavior.choice.scheduling import ASKED_MORE, SHORTEST_HOLD_S, e
 from understudy.behavior.table.behavior_table import PhaseDuration, Timing
 from understudy.behavior.timing.anchoring import PlacedBehavior, stressed_vowel_s
 from understudy.behavior.timing.conflicts import compete
-from understudy.behavior.timing.phases import Placing, Window, placed
+from understudy.behavior.timing.phases import TimingBasis, Window, placed
 from understudy.model import Behavior, Channel, Hand, Interval, Level, Movement, Phone, Word
 from understudy.model.lead_in import with_lead_in
 from understudy.model.limits import ArmEnds, GestureForm
@@ -22,7 +22,7 @@ RIGHT = GestureForm(0.3, 0.2, 0.6, {Hand.RIGHT: ArmEnds((0.0, 0.0, 0.0), (0.3, 0
 
 def gesture(name: str, at_s: float, until_s: float, hand: Hand = Hand.RIGHT) -> PlacedBehavior:
     """A stroke of .5 s that ends at `at_s`, held until `until_s`; its preparation takes .2 s."""
-    placing = Placing(TIMING, at_s, until_s, stroked=True)
+    placing = TimingBasis(TIMING, at_s, until_s, stroked=True)
     sync = placed(placing, Window())
     assert sync is not None
     behavior = Behavior(name, Channel.GESTURE, "X", sync, 0, 0, 1.0, hand=hand)

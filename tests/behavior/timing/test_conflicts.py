@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from understudy.behavior.table.behavior_table import BriefGesture, PhaseDuration, Timing
 from understudy.behavior.timing.anchoring import PlacedBehavior
 from understudy.behavior.timing.conflicts import compete, resolve
-from understudy.behavior.timing.phases import Placing, Window, placed
+from understudy.behavior.timing.phases import TimingBasis, Window, placed
 from understudy.model import Behavior, Channel, Hand
 from understudy.model.limits import ArmEnds, GestureForm
 from understudy.model.tables import GLANCE, LOOK
@@ -32,7 +32,7 @@ def candidate(
     hand: Hand | None = Hand.RIGHT,
     hold_s: float = 0.2,
 ) -> PlacedBehavior:
-    placing = Placing(GESTURE if kind is Channel.GESTURE else NOD, at_s, at_s + hold_s, stroked=True)
+    placing = TimingBasis(GESTURE if kind is Channel.GESTURE else NOD, at_s, at_s + hold_s, stroked=True)
     sync = placed(placing, Window())
     assert sync is not None
     hand = hand if kind is Channel.GESTURE else None
@@ -206,7 +206,7 @@ def asked_for(name: str, at_s: float, priority: float = 1.0) -> PlacedBehavior:
     """A gesture that may be brief."""
     timing = replace(GESTURE, stroke=PhaseDuration(0.5, 0.5))
     brief = BriefGesture(replace(timing, stroke=PhaseDuration(0.25, 0.25)), {Hand.RIGHT: (FORM.brief(),)})
-    placing = Placing(timing, at_s, at_s, stroked=True)
+    placing = TimingBasis(timing, at_s, at_s, stroked=True)
     sync = placed(placing, Window())
     assert sync is not None
     behavior = Behavior(name, Channel.GESTURE, "X", sync, 0, 0, priority, hand=Hand.RIGHT)

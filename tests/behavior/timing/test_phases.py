@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from tests.support.motion.gesture_clips import gesture
 from tests.support.words.utterances import utterance
 from understudy.behavior.table.behavior_table import PhaseDuration, Timing
-from understudy.behavior.timing.phases import Placing, Window, placed, with_manner
+from understudy.behavior.timing.phases import TimingBasis, Window, placed, with_manner
 from understudy.model import Channel, Interval, Manner, Utterance, Word
 
 GESTURE = Timing(PhaseDuration(0.2, 0.5), PhaseDuration(0.2, 0.4), PhaseDuration(0.1, 1.0), PhaseDuration(0.1, 0.5))
@@ -22,7 +22,7 @@ seconds = st.floats(0, 4, allow_nan=False)
 
 
 def test_with_room_every_phase_has_its_usual_length() -> None:
-    sync = placed(Placing(GESTURE, 2.0, 2.6, stroked=True), Window())
+    sync = placed(TimingBasis(GESTURE, 2.0, 2.6, stroked=True), Window())
     assert sync is not None
     names = dict(sync.in_order())
     assert names == pytest.approx(
@@ -39,13 +39,13 @@ def test_with_room_every_phase_has_its_usual_length() -> None:
 
 
 def test_a_nod_is_half_way_at_the_vowel() -> None:
-    sync = placed(Placing(NOD, 2.0, 2.6, stroked=True), Window())
+    sync = placed(TimingBasis(NOD, 2.0, 2.6, stroked=True), Window())
     assert sync is not None
     assert (sync.stroke_start, sync.stroke_end, sync.relax) == pytest.approx((1.8, 2.2, 2.2))
 
 
 def test_what_has_no_stroke_peaks_at_the_word_and_shows_no_inner_points() -> None:
-    sync = placed(Placing(BROWS, 2.0, 2.6, stroked=False), Window())
+    sync = placed(TimingBasis(BROWS, 2.0, 2.6, stroked=False), Window())
     assert sync is not None
     assert dict(sync.in_order()) == pytest.approx({"start": 1.8, "ready": 2.0, "relax": 2.6, "end": 2.9})
 
@@ -54,7 +54,7 @@ def test_what_has_no_stroke_peaks_at_the_word_and_shows_no_inner_points() -> Non
     ("from_s", "preparation_s", "stroke_s"), [(1.1, 0.5, 0.4), (1.3, 0.3, 0.4), (1.45, 0.2, 0.35), (1.6, 0.2, 0.2)]
 )
 def test_before_the_vowel_the_preparation_gives_way_first(from_s: float, preparation_s: float, stroke_s: float) -> None:
-    sync = placed(Placing(GESTURE, 2.0, 2.6, stroked=True), Window(from_s))
+    sync = placed(TimingBasis(GESTURE, 2.0, 2.6, stroked=True), Window(from_s))
     assert sync is not None
     assert sync.stroke_end == 2.0
     assert sync.ready == pytest.approx(2.0 - stroke_s)
@@ -65,18 +65,18 @@ def test_before_the_vowel_the_preparation_gives_way_first(from_s: float, prepara
     ("to_s", "relax_s", "end_s"), [(3.1, 2.6, 3.1), (2.8, 2.6, 2.8), (2.5, 2.4, 2.5), (2.2, 2.1, 2.2)]
 )
 def test_after_the_vowel_the_retraction_gives_way_first(to_s: float, relax_s: float, end_s: float) -> None:
-    sync = placed(Placing(GESTURE, 2.0, 2.6, stroked=True), Window(0, to_s))
+    sync = placed(TimingBasis(GESTURE, 2.0, 2.6, stroked=True), Window(0, to_s))
     assert sync is not None
     assert (sync.stroke_end, sync.relax, sync.end) == pytest.approx((2.0, relax_s, end_s))
 
 
 @pytest.mark.parametrize("window", [Window(1.61), Window(0, 2.19), Window(1.7, 2.1)])
 def test_what_cannot_be_played_is_not_placed(window: Window) -> None:
-    assert placed(Placing(GESTURE, 2.0, 2.6, stroked=True), window) is None
+    assert placed(TimingBasis(GESTURE, 2.0, 2.6, stroked=True), window) is None
 
 
 def test_a_hold_is_no_longer_than_its_longest() -> None:
-    sync = placed(Placing(GESTURE, 2.0, 9.0, stroked=True), Window())
+    sync = placed(TimingBasis(GESTURE, 2.0, 9.0, stroked=True), Window())
     assert sync is not None
     assert sync.relax == pytest.approx(3.0)
 
@@ -86,7 +86,7 @@ def test_whatever_is_placed_is_in_order_and_in_its_window(
     timing: Timing, at_s: float, until_s: float, from_s: float, length_s: float
 ) -> None:
     window = Window(round(from_s, 3), round(from_s + length_s, 3))
-    sync = placed(Placing(timing, at_s, until_s, stroked=timing is not BROWS), window)
+    sync = placed(TimingBasis(timing, at_s, until_s, stroked=timing is not BROWS), window)
     if sync is not None:
         times = [time_s for _, time_s in sync.in_order()]
         assert times == sorted(times)
