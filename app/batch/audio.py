@@ -61,7 +61,7 @@ def converted(path: Path) -> bytes:
 
 @dataclass(frozen=True, slots=True)
 class AudioSource:
-    """A recording: its path, its content if the worker cannot read the file, and the interval that is meant."""
+    """A recording: its path, its content if the worker cannot read the file, and the interval of the line in it."""
 
     path: Path
     sent: bytes | None = field(default=None, repr=False)

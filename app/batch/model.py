@@ -78,7 +78,7 @@ class Script:
 
 @dataclass(frozen=True, slots=True)
 class Recording:
-    """A file of speech and the interval in it that is meant; None is the whole file."""
+    """A file of speech and the interval of the line in it; None is the whole file."""
 
     path: Path
     interval: Interval | None = None

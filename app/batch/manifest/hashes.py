@@ -53,7 +53,7 @@ class KnownRecording:
 
 
 def input_hash(job: LineJob, recording: str) -> str:
-    """A hash of what is particular to a line; `recording` is the hash of its recording's file."""
+    """A hash of a line's own input; `recording` is the hash of its recording's file."""
     options = job.options
     return _digest(
         recording,

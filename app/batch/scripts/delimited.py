@@ -61,8 +61,8 @@ def read_rows(text: str, separator: str, path: Path) -> Iterator[list[str]]:
 
 
 def read_json_lines(content: bytes, path: Path, named: Mapping[str, str]) -> Script:
-    """The script in a file of JSON lines; a line that is not an object is a problem of its own. Raises UndecodableError
-    `text_not_utf8`, InputError `columns_missing`."""
+    """The script in a file of JSON lines; a line that is not an object is reported as a problem. Raises
+    UndecodableError `text_not_utf8`, InputError `columns_missing`."""
     file = decode_text(content, str(path))
     objects: dict[int, dict[str, object]] = {}
     problems = []

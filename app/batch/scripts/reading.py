@@ -39,7 +39,7 @@ _UNITS: Mapping[str, str] = MappingProxyType(
 
 
 def read_script(path: Path, named: Mapping[str, str], sheets: Sequence[str] = ()) -> Script:
-    """The script in a file; `sheets` are the worksheets of a workbook that are meant.
+    """The script in a file; `sheets` are the chosen worksheets of a workbook.
 
     Raises UnsupportedFormatError `script_format`, InputError `file_unreadable`, `script_empty` and as the format's
     reader does; problems of single lines are part of the script.

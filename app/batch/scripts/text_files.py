@@ -1,6 +1,5 @@
-"""What the readers of scripts share: decoding a text file of any encoding (by its byte order mark, else as UTF-8, else
-as charset-normalizer judges), ids of lines, names before words, removal of what is not spoken.
-"""
+"""Functions that the readers of scripts share: decoding a text file of any encoding (by its byte order mark, else as
+UTF-8, else as charset-normalizer judges), ids of lines, names before words, removal of what is not spoken."""
 
 import codecs
 import re

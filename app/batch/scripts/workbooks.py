@@ -53,7 +53,7 @@ def read_workbook(content: bytes, path: Path, named: Mapping[str, str], *, chose
 
 
 def _chosen(sheets: Mapping[str, object], chosen: Sequence[str], path: Path) -> list[str]:
-    """The titles that are meant, in their order in the workbook."""
+    """The titles of the chosen sheets, in the workbook's order."""
     by_name = {title.strip().casefold(): title for title in sheets}
     for name in chosen:
         if name.strip().casefold() not in by_name:
@@ -123,8 +123,8 @@ def _require_small(content: bytes, path: Path) -> None:
 
 
 def _rows(sheet: _Sheet, path: Path) -> list[list[str]]:
-    """The rows, as wide as what is in them, whatever dimensions the sheet claims; the first ones, among which the
-    headings are, as wide as the widest."""
+    """The rows, as wide as their content, whatever dimensions the sheet states; the first ones, which include the
+    headings, as wide as the widest."""
     sheet.reset_dimensions()
     rows = list(within_limits((_cells(row) for row in sheet.iter_rows(values_only=True)), path))
     width = max(map(len, rows), default=0)

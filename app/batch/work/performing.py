@@ -94,8 +94,8 @@ def _files(
 
 
 def _bml_files(target: OutputTarget, performance: Performance, form: BmlForm) -> Iterator[OutputFile]:
-    """The speaker's BML and each listener's. SmartBody's act is beside the file with words and visemes, which has the
-    line's own name."""
+    """The speaker's BML and each listener's. SmartBody's act is in the same folder as the file with words and visemes,
+    which is named after the line."""
     if form.dialect is DialectName.SMARTBODY:
         form = replace(form, audio_file=recording_name(target.path))
     files = write_bml_files(performance, form)

@@ -1,8 +1,7 @@
 """Long work of operators: in a thread while Blender stays usable, with its progress shown, ended by Esc.
 
-An operator that is run by a script (`execute`) works at once and waits. A thread touches no data of Blender's: what it
-needs is gathered before, what comes of it is laid after, in one step that undo takes back.
-"""
+An operator that is run by a script (`execute`) works at once and waits. The thread does not touch Blender's data: its
+input is gathered before, and its result is added to the scene afterwards, as one undo step."""
 
 import threading
 from collections.abc import Callable
@@ -54,7 +53,7 @@ class Job:
 
 
 class JobOperator(bpy.types.Operator):
-    """An operator with long work: `gather` makes it from the scene, `finish` lays what came of it; both and the work
+    """An operator with long work: `gather` makes it from the scene, `finish` adds its result; both and the work
     raise ValueError, OSError or PerformingError for what the person can fix, which the info bar shows."""
 
     bl_options = {"REGISTER", "UNDO"}
@@ -64,7 +63,7 @@ class JobOperator(bpy.types.Operator):
         raise NotImplementedError
 
     def finish(self, context: Any, result: Any) -> tuple[str, ...]:
-        """Lays the result; what the person should be told."""
+        """Adds the result to the scene; returns the warnings to show."""
         raise NotImplementedError
 
     def execute(self, context: Any) -> set[str]:

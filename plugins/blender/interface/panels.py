@@ -35,7 +35,7 @@ class BoneList(bpy.types.UIList):
 
 
 class PerformanceList(bpy.types.UIList):
-    """The performances that lie on an armature."""
+    """The performances of an armature."""
 
     bl_idname = "UNDERSTUDY_UL_performances"
 
@@ -163,7 +163,7 @@ class Scene(bpy.types.Panel):
 
 
 class Performances(bpy.types.Panel):
-    """What lies on the armature, and its strips."""
+    """The armature's performances and their strips."""
 
     bl_idname = "UNDERSTUDY_PT_performances"
     bl_label = "Performances"

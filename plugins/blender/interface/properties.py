@@ -32,8 +32,8 @@ class BoneSettings(bpy.types.PropertyGroup):
 
 
 class StripRecord(bpy.types.PropertyGroup):
-    """An NLA strip of a take that is put aside, whose name is the group's own: its action, the mesh whose shape keys it
-    plays on (empty: the armature), its track and place, and what it does beside others."""
+    """An NLA strip of a take that is not shown, under the group's own name: its action, the mesh whose shape keys it
+    plays on (empty: the armature), its track and place, and how it blends with others."""
 
     action: PointerProperty(type=bpy.types.Action)
     mesh: PointerProperty(type=bpy.types.Object)
@@ -44,7 +44,7 @@ class StripRecord(bpy.types.PropertyGroup):
 
 
 class TakeRecord(bpy.types.PropertyGroup):
-    """A take of a performance; its name is the group's own. `strips` are those of a take that is put aside."""
+    """A take of a performance; its name is the group's own. `strips` are those of a take that is not shown."""
 
     bml: PointerProperty(type=bpy.types.Text, name="BML")
     trace: PointerProperty(type=bpy.types.Text, name="Record")
@@ -66,7 +66,7 @@ def _show_chosen(record: Any, _context: Any) -> None:
 
 
 class PerformanceRecord(bpy.types.PropertyGroup):
-    """A performance that lies on the armature; its name is the group's own. BML, record, behaviours and order are
+    """A performance of the armature; its name is the group's own. BML, record, behaviours and order are
     those of the take that is shown."""
 
     zero_frame: FloatProperty(name="Frame", description="The frame at which the recording begins")
@@ -172,7 +172,7 @@ class LineSettings(bpy.types.PropertyGroup):
 
 
 class JobSettings(bpy.types.PropertyGroup):
-    """What is under way now."""
+    """The progress of the current job."""
 
     running: BoolProperty()
     cancel: BoolProperty()

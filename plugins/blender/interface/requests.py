@@ -1,4 +1,4 @@
-"""What the settings ask for: the line, its place in time, and the things of the scene, as plain values for a thread."""
+"""Makes requests from the settings: the line, its time, and the targets in the scene, as plain values for a thread."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -42,7 +42,7 @@ class Request:
 
 @dataclass(frozen=True, slots=True)
 class _Recording:
-    """What is to be performed: a file, the frame at which it begins, its words, and what the line is called."""
+    """A recording to perform: its file, first frame, words and the name of the line."""
 
     path: Path
     zero_frame: float
@@ -51,7 +51,7 @@ class _Recording:
 
 
 def request_of(context: Any) -> Request:
-    """What the scene's settings ask for. Raises ValueError with what is missing or wrong."""
+    """The request for the scene's settings. Raises ValueError with what is missing or wrong."""
     performer = performer_of(context)
     return _request(context.scene, performer, _recording(context.scene))
 
@@ -121,7 +121,7 @@ def realization(scene: Any, performer: Any, tail_s: float = 0.0) -> Json:
 
 
 def _recording(scene: Any) -> _Recording:
-    """What the settings say is to be performed."""
+    """The recording that the settings name."""
     settings = scene.understudy
     if settings.source == "STRIP":
         if not settings.strip:
@@ -139,7 +139,7 @@ def _of_strip(scene: Any, strip: Any) -> _Recording:
 
 
 def _listener(settings: Any, performer: Any) -> Any:
-    """Who is spoken to: the listener of the settings, and where that one speaks, the performer of the settings."""
+    """The addressee: the listener of the settings, or the performer of the settings where the listener speaks."""
     chosen = settings.listener if settings.listener is not performer else settings.performer
     return chosen if chosen is not performer else None
 

@@ -26,7 +26,7 @@ class Event:
 
 @dataclass(frozen=True, slots=True)
 class Decision:
-    """What was not played as it was asked for (`behavior` empty: nothing single), and why."""
+    """A deviation from the BML and its reason; `behavior` is empty if it concerns no single behaviour."""
 
     behavior: str
     message: str

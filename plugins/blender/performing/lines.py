@@ -11,7 +11,7 @@ from .requests import Cancellation, Connection, Json, Line, Progress, Remark, Sh
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PlayedLine:
-    """BML, its motion and behaviours, what is known of it beyond, and what the person should be told."""
+    """BML, its motion and behaviours, its record, and the warnings to show."""
 
     bml: bytes
     clip: Clip
@@ -42,7 +42,7 @@ def perform_line(
 
 
 def _without_notices(played: PlayedLine) -> PlayedLine:
-    """A listener's BML is Understudy's own: that it has no words, which is all that would be told, is as it should."""
+    """A listener's BML has no words on purpose, so that the only warning there could be is left out."""
     return replace(played, clip=replace(played.clip, notices=()))
 
 

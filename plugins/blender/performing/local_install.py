@@ -55,7 +55,7 @@ class LocalInstall:
             return written.read_bytes()
 
     def _run(self, arguments: Sequence[str], progress: Progress, cancelled: Cancellation) -> tuple[Remark, ...]:
-        """Runs the command, tells its stages, and ends it when it is no longer wanted; its warnings."""
+        """Runs the command, reports its stages, and ends it when the job is cancelled; returns its warnings."""
         try:
             process = subprocess.Popen(
                 [self.command, *arguments, "--json-log"],

@@ -1,4 +1,4 @@
-"""What is asked of Understudy, and what comes back, whoever does the work."""
+"""Requests to Understudy and its answers, whether a service or a local install does the work."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -15,7 +15,7 @@ Cancellation = Callable[[], bool]
 
 
 class PerformingError(Exception):
-    """Nothing came of it; the message is for the person who asked."""
+    """The work failed; the message is for the user."""
 
 
 class CancelledError(Exception):
@@ -44,7 +44,7 @@ class Sheet:
 
 @dataclass(frozen=True, slots=True)
 class Remark:
-    """Something that the person should be told, with its code (docs/errors.md)."""
+    """A warning for the user, with its code (docs/errors.md)."""
 
     code: str
     message: str

@@ -1,4 +1,4 @@
-"""BML in which nearly nothing happens: with it a character's body is asked for."""
+"""BML with almost no movement, which is realized to obtain a character's body."""
 
 _STILL = (
     '<bml xmlns="http://www.bml-initiative.org/bml/bml-1.0" id="bml1" characterId="{character}">'

@@ -47,7 +47,7 @@ def face_weights(keys: Iterable[str], clip: Clip) -> dict[str, Array]:
 
 
 def _sum(parts: Mapping[str, float], sources: Mapping[str, Array], frames: int) -> Array:
-    """Parts that the clip has not, as visemes where nothing is said, are 0."""
+    """Parts that the clip lacks, such as visemes without speech, are 0."""
     total = sum((share * sources[name] for name, share in parts.items() if name in sources), np.zeros(frames))
     return np.clip(total, 0.0, 1.0)
 

@@ -45,7 +45,7 @@ def _joints_of_bones(armature: Armature, table: BoneTable) -> dict[str, str]:
 
 
 def _carrier(bone: RestBone, armature: Armature, world: Mapping[str, Array], table: BoneTable) -> Array:
-    """How the bone stands in the world (…, 3, 3) while its own rotation is none: as what carries it has turned it."""
+    """The bone's rotation in the world (…, 3, 3) without its own rotation, which is that of its parents."""
     at = bone
     while at.inherits_rotation:
         carrier = table.follows.get(at.name, at.parent)

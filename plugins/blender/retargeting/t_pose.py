@@ -57,6 +57,6 @@ def _further(joint: str, theirs: Mapping[str, Array], ours: Mapping[str, Array],
 
 
 def _axes(places: Mapping[str, Array], hand: str, knuckles: Sequence[str]) -> Array:
-    """Where a hand points, and where its knuckles lie across that."""
+    """The direction of a hand, and that of its row of knuckles."""
     middle, index, little = (places[each] for each in knuckles)
     return frame(middle - places[hand], index - little)

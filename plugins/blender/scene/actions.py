@@ -74,7 +74,7 @@ def shortened(name: str) -> str:
 
 
 def _bag(action: Any, owner: Any) -> Any:
-    """What new curves are put into: the action itself, or the bag of its only slot."""
+    """The collection that new curves are added to: the action itself, or the channel bag of its only slot."""
     if not hasattr(action, "layers"):
         action.id_root = _kind(owner)
         return action

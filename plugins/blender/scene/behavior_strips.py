@@ -26,7 +26,7 @@ _SMALLEST_CHANGE_S = 0.002
 
 @dataclass(frozen=True, slots=True)
 class BehaviorStrip:
-    """A strip and what it stands for."""
+    """A strip and its behaviour."""
 
     behavior: Behavior
     strip: Any
@@ -60,7 +60,7 @@ def strips_of(armature: Any, performance: str) -> list[BehaviorStrip]:
 def changes_of(
     armature: Any, performance: str, behaviors: Sequence[Behavior], rate_hz: float
 ) -> dict[str, StripChange]:
-    """What was done to the strips since they were laid; what has no strip any more was taken out."""
+    """The changes to the strips since they were added; a behaviour without a strip was deleted."""
     there = {each.behavior.id: each for each in strips_of(armature, performance)}
     found = (
         _change(there[each.id], rate_hz) if each.id in there else StripChange(each.id, removed=True)
@@ -70,8 +70,8 @@ def changes_of(
 
 
 def put_back(armature: Any, strip: BehaviorStrip) -> None:
-    """Lays a strip where it was laid first, on a track with room there, and has it play: a neighbour on its own track
-    would push it aside."""
+    """Puts a strip back at its first place and unmutes it, on a track with room there: a neighbour on its own track
+    would push it away."""
     action = strip.strip.action
     (track,) = [each for each in our_tracks(armature) if any(other == strip.strip for other in each.strips)]
     track.strips.remove(strip.strip)

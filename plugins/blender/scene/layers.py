@@ -91,7 +91,7 @@ def put_aside(armature: Any, performance: str, entries: Any) -> None:
 
 
 def lay_again(armature: Any, entries: Any) -> None:
-    """Lays strips that were put aside where they were, and empties the collection."""
+    """Restores the stored strips at their places, and empties the collection."""
     for entry in entries:
         if entry.action is None:
             continue
@@ -107,12 +107,12 @@ def lay_again(armature: Any, entries: Any) -> None:
 
 
 def owners(armature: Any) -> list[tuple[Any, Any]]:
-    """What strips lie on: the armature (with None), and the shape keys of its meshes (with the mesh)."""
+    """The owners of the strips: the armature (with None), and the shape keys of its meshes (with the mesh)."""
     return [(None, armature), *((mesh, mesh.data.shape_keys) for mesh in face_meshes(armature))]
 
 
 def our_tracks(owner: Any) -> list[Any]:
-    """The NLA tracks that Understudy laid."""
+    """The NLA tracks that Understudy made."""
     tracks = list(owner.animation_data.nla_tracks) if owner.animation_data else []
     return [track for track in tracks if track.name.startswith(PREFIX)]
 
@@ -143,8 +143,8 @@ def lay_strip(owner: Any, track_name: str, action: Any, start_frame: int, name: 
 
 
 def _entered(entry: Any, strip: Any, mesh: Any, mute: bool) -> None:
-    """A strip's entry. Its track goes by the name without a number: which of several has room is seen when it is laid
-    again."""
+    """A strip's entry. Its track is named without its number, because a track with room is chosen when the strip is
+    restored."""
     entry.name, entry.action, entry.mesh, entry.mute = strip.name, strip.action, mesh, mute
     entry.start_frame, entry.end_frame = strip.frame_start, strip.frame_end
     entry.track = strip.action["understudy_track"]

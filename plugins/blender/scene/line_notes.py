@@ -1,4 +1,4 @@
-"""The notes on a performance as the armature remembers them, and those that strips make as they lie now."""
+"""The notes on a performance: those stored with the armature, and those that follow from the current strips."""
 
 from collections.abc import Collection, Sequence
 from typing import Any
@@ -23,7 +23,7 @@ def keep_notes(record: Any, notes: Sequence[Note]) -> None:
 
 
 def notes_now(armature: Any, record: Any, rate_hz: float) -> tuple[Note, ...]:
-    """The notes that are kept, with what was done to the strips since they were laid."""
+    """The stored notes, with the changes to the strips since they were added."""
     behaviors = {each.id: each for each in behaviors_in(record)}
     changes = changes_of(armature, record.name, tuple(behaviors.values()), rate_hz)
     done = [
@@ -34,7 +34,7 @@ def notes_now(armature: Any, record: Any, rate_hz: float) -> tuple[Note, ...]:
 
 
 def lock_selected(armature: Any, record: Any, rate_hz: float) -> int:
-    """Notes that the selected strips stay as they lie; how many there are."""
+    """Makes notes that keep the selected strips unchanged; returns their number."""
     notes = notes_now(armature, record, rate_hz)
     keep_notes(record, notes)
     selected = [each for each in strips_of(armature, record.name) if each.strip.select and not each.muted]
@@ -44,7 +44,7 @@ def lock_selected(armature: Any, record: Any, rate_hz: float) -> int:
 
 
 def clear_notes(armature: Any, record: Any, numbers: Collection[int]) -> None:
-    """Forgets the notes of these numbers; strips that lie as they asked, and were not played so, go back."""
+    """Removes the notes with these numbers; strips that were moved for them and not yet played so go back."""
     notes = notes_of(record)
     for each in strips_of(armature, record.name):
         note = _note_on(each.behavior, notes, record)

@@ -1,4 +1,4 @@
-"""A performance on an armature: its motion and strips laid, and what the armature remembers of it.
+"""A performance on an armature: adds its motion and strips, and stores its record with the armature.
 
 The BML and the record are texts of the file, so that they are saved with it, can be read, and undo brings them back.
 """
@@ -22,7 +22,7 @@ from .takes import begin_take, forget_take, keep_in_take, shown_take
 
 @dataclass(frozen=True, slots=True)
 class Order:
-    """How a performance was asked for: its name, the scene's frame of second 0 of the recording, the recording (None:
+    """The request for a performance: its name, the scene's frame of second 0 of the recording, the recording (None:
     BML alone), its words, the options of performing and of realizing, and the numbers of the notes that were sent."""
 
     name: str
@@ -37,8 +37,8 @@ class Order:
 def lay_performance(
     armature: Any, played: PlayedLine, order: Order, rate_hz: float, *, new_take: bool = False
 ) -> tuple[str, ...]:
-    """Lays a performance, in the place of the one of the same name, which is lost unless this is a new take of it; what
-    the person should be told. Raises NoHumanoidError."""
+    """Adds a performance in place of the one of the same name, which is lost unless this is a new take of it; returns
+    the warnings to show. Raises NoHumanoidError."""
     found = bones_of(armature)
     told = [f"{each} was set" for each in apply_properties(armature, found.table)]
     if new_take:
@@ -62,7 +62,7 @@ def record_of(armature: Any, name: str) -> Any:
 
 
 def order_of(record: Any) -> Order:
-    """How a remembered performance was asked for."""
+    """The request for a stored performance."""
     written = json.loads(record.order)
     audio = Path(written["audio"]) if written["audio"] else None
     return Order(
@@ -87,7 +87,7 @@ def trace_of(record: Any) -> Mapping[str, Any]:
 
 
 def behaviors_in(record: Any) -> tuple[Behavior, ...]:
-    """The behaviours as they were laid."""
+    """The behaviours as they were added."""
     return tuple(Behavior.from_json(json.dumps(each)) for each in json.loads(record.behaviors))
 
 

@@ -1,4 +1,4 @@
-"""The scene's frames: they take in the lines that are laid."""
+"""The scene's frame range, which is extended to the lines that are added."""
 
 from math import ceil, floor
 from typing import Any
@@ -21,7 +21,7 @@ def take_in(scene: Any, clip: Clip, zero_frame: float, rate_hz: float) -> None:
 
 
 def _lines(armature: Any) -> set[str]:
-    """The performances whose strips lie on an armature."""
+    """The performances whose strips are on an armature."""
     tracks = armature.animation_data.nla_tracks if armature.animation_data else ()
     strips = (strip for track in tracks for strip in track.strips if strip.action is not None)
     return {strip.action[OWNER] for strip in strips if OWNER in strip.action}

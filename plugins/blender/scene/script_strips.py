@@ -9,9 +9,9 @@ from .sounds import frame_rate_hz, place_strip
 
 
 def lay_script(scene: Any, lines: Sequence[ScriptLine], files: Mapping[str, Path], pause_s: float) -> tuple[str, ...]:
-    """Lays the lines from the current frame on: those with times where they say, the others one after the other; what
-    the person should be told. Raises ScriptError where no line has a recording, NoRecordingError where one
-    cannot be played."""
+    """Adds the lines from the current frame on: those with times at their times, the others one after the other;
+    returns the warnings to show. Raises ScriptError where no line has a recording, NoRecordingError where one cannot be
+    played."""
     if not files:
         ids = ", ".join(line.id for line in lines[:3])
         raise ScriptError(f"no recording is called as a line of the script ({ids} …): choose their folder")

@@ -1,4 +1,4 @@
-"""The takes of a performance: one lies on the armature, the others are put aside with their actions, to go back to."""
+"""The takes of a performance: one is on the armature, the others are stored with their actions."""
 
 import json
 from typing import Any
@@ -15,7 +15,7 @@ class NoTakeError(ValueError):
 
 
 def shown_take(record: Any) -> Any:
-    """The take that lies on the armature; made from the record where a file was saved without takes."""
+    """The take that is on the armature; made from the record where a file was saved without takes."""
     if not record.takes:
         _copied(record, _added(record))
     return record.takes[min(record.active_take, len(record.takes) - 1)]
@@ -57,7 +57,7 @@ def remove_take(record: Any, number: int) -> None:
 
 
 def forget_take(take: Any) -> None:
-    """Removes a take's texts, and the actions of one that is put aside."""
+    """Removes a take's texts, and the actions of one that is not shown."""
     for entry in take.strips:
         if entry.action is not None:
             bpy.data.actions.remove(entry.action)

@@ -1,4 +1,4 @@
-"""What lies in a scene as tracks of a timeline: its sounds, and of each armature the behaviours by their kinds."""
+"""A scene as the tracks of a timeline: its sounds, and the behaviours of each armature by their kinds."""
 
 from collections import defaultdict
 from math import ceil, floor

@@ -44,7 +44,7 @@ class Behavior:
 
     @property
     def label(self) -> str:
-        """What it is called for people."""
+        """Its label."""
         return label_of(self.kind, self.lexeme, hand=self.hand, target=self.target, direction=self.direction)
 
     @property

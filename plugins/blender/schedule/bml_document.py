@@ -149,7 +149,7 @@ def _local(element: minidom.Element) -> str:
 
 
 def _lexeme(element: minidom.Element) -> str:
-    """What a behaviour is called, by the first attribute that says it."""
+    """The name of a behaviour: its first attribute that has one."""
     names = ("lexeme", "type", "name", "target", "mode")
     said = next((str(element.getAttribute(name)) for name in names if element.getAttribute(name)), _local(element))
     unit = element.getAttribute("au")

@@ -1,4 +1,4 @@
-"""What a behaviour is called on its strip and in lists: "gesture: negation (right hand)", "gaze: listener"."""
+"""The label of a behaviour on its strip and in lists: "gesture: negation (right hand)", "gaze: listener"."""
 
 _HANDS = {"left": "left hand", "right": "right hand", "both": "both hands"}
 _DIRECTIONS = {

@@ -1,4 +1,4 @@
-"""What can be pressed: lines, BML, strips and takes, scripts, output, and what belongs to an armature."""
+"""The operators: for lines, BML, strips and takes, scripts, output, and armatures."""
 
 from . import armatures, bml, lines, output, scripts, strips, takes, targets
 

@@ -84,7 +84,7 @@ class Cancel(bpy.types.Operator):
 def _performed(
     connected: Connection, request: Request, place: str, progress: Progress, cancelled: Cancellation
 ) -> dict[str, PlayedLine] | PerformingError:
-    """One of many lines; what is wrong with it does not stop the others."""
+    """Performs one of many lines; its failure does not stop the others."""
     try:
         return perform_line(
             connected, request.line, request.realizations, lambda stage: progress(f"{place}{stage}"), cancelled
@@ -94,7 +94,7 @@ def _performed(
 
 
 def lay_line(context: Any, request: Request, played: dict[str, PlayedLine]) -> tuple[str, ...]:
-    """Lays a line for its speaker and its listener, and what belongs to it in the scene."""
+    """Adds a line to the scene: its sound, the speaker's performance and the listener's."""
     scene, order = context.scene, request.order
     rate_hz = frame_rate_hz(scene)
     told = lay_performance(request.performer, played[""], order, rate_hz)
@@ -109,7 +109,7 @@ def lay_line(context: Any, request: Request, played: dict[str, PlayedLine]) -> t
 
 
 def _seen_by(played: PlayedLine, speaker: Any) -> PlayedLine:
-    """A listener's line in which the speaker, whom BML calls by the character, is called as in the scene."""
+    """A listener's line, with the speaker's name in BML replaced by the one in the scene."""
     character = speaker.understudy.character or "default"
     seen = (replace(each, target=speaker.name) if each.target == character else each for each in played.behaviors)
     return replace(played, behaviors=tuple(seen))

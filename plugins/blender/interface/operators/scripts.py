@@ -1,4 +1,4 @@
-"""A script laid in the sequencer: each line a sound strip with its words and who speaks it."""
+"""Adds a script to the sequencer: a sound strip for each line, with its words and its speaker."""
 
 from pathlib import Path
 from typing import Any

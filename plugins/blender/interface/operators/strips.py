@@ -24,7 +24,7 @@ _GONE = "edit_behavior_gone"
 
 
 class NoPerformanceError(ValueError):
-    """An armature without the performance that is asked for."""
+    """The armature does not have the requested performance."""
 
 
 class PlayStrips(JobOperator):
@@ -141,7 +141,7 @@ def _wanted_s(performer: Any, record: Any, rate_hz: float) -> dict[str, float]:
 
 
 def _of_notes(warnings: Sequence[Remark], notes: Sequence[Note]) -> tuple[Remark, ...]:
-    """What is said of the notes, in their own names; that what was muted is not made at all is as it should be."""
+    """The messages about the notes, by the notes' names; none for a muted strip, which is left out on purpose."""
     muted = [f"behaviors[{place}]:" for place, note in enumerate(notes) if "omit" in note.edit]
     kept = (each for each in warnings if each.code != _GONE or not each.message.startswith(tuple(muted)))
     return tuple(Remark(each.code, in_words(each.message, notes)) for each in kept)
