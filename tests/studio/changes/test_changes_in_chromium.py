@@ -163,10 +163,34 @@ def test_a_wrong_file_of_edits_shows_its_mistakes(looked_at: Page, tmp_path: Pat
         expect(looked_at.locator("#problem")).to_contain_text(said)
 
 
+def _has_names_in_a_row_on_the_stage(page: Page) -> None:
+    expect(page.locator(".name-tag")).to_have_count(2)
+    boxes = [each.bounding_box() for each in page.locator(".name-tag").all()]
+    stage = page.locator("#stage-canvas").bounding_box()
+    assert stage
+    assert boxes[0]
+    assert boxes[1]
+    assert boxes[0]["y"] == pytest.approx(boxes[1]["y"], abs=1)
+    assert boxes[0]["y"] < stage["y"] + stage["height"] / 3
+    for box in boxes:
+        assert box
+        assert stage["x"] <= box["x"]
+        assert box["x"] + box["width"] <= stage["x"] + stage["width"]
+
+
 def test_another_version_stands_beside_this_one(opened: Page) -> None:
     opened.click("#tab-taken")
     opened.locator("#compare-with").select_option("prosody")
     expect(opened.locator("#stage-canvas")).to_have_attribute("data-roles", "speaker compared")
     expect(opened.locator("#compared")).to_contain_text("movements are the same")
+    _has_names_in_a_row_on_the_stage(opened)
+    other = opened.locator(".differences li", has_text="Gestures from the stress:").first
+    stage_s = float(opened.get_attribute("#stage-canvas", "data-time") or 0)
+    other.get_by_role("button").click()
+    wait_until(opened, f"{STAGE_S} !== {stage_s}")
+    opened.locator("#shot").select_option("over_shoulder")
+    expect(opened.locator("#stage-canvas")).to_have_attribute("data-roles", "speaker")
+    opened.locator("#shot").select_option("medium")
+    expect(opened.locator("#stage-canvas")).to_have_attribute("data-roles", "speaker compared")
     opened.locator("#compare-with").select_option("none")
     expect(opened.locator("#stage-canvas")).to_have_attribute("data-roles", "speaker")

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 import soundfile
-from playwright.sync_api import Page
+from playwright.sync_api import Page, expect
 
 from tests.studio.support.tasks import FILM_PATIENCE_MS
 from tests.support.python_page import ROOT
@@ -118,6 +118,19 @@ def test_a_project_has_all_and_opens_again(opened: Page, tmp_path: Path) -> None
 
 def test_stills_are_a_picture_of_the_strokes(looked_at: Page) -> None:
     assert _made(looked_at, "Still sheet").startswith(b"\x89PNG")
+
+
+def test_a_film_shows_how_far_it_is_and_can_be_given_up(looked_at: Page) -> None:
+    looked_at.click("#tab-exports")
+    film = looked_at.locator("#exports button", has_text="Film")
+    film.click()
+    expect(looked_at.locator("#making progress")).to_be_visible()
+    expect(film).to_be_disabled()
+    looked_at.click("#cancel-export")
+    expect(looked_at.locator("#exported")).to_have_text("Cancelled")
+    expect(looked_at.locator("#making")).to_be_hidden()
+    expect(film).to_be_enabled()
+    expect(looked_at.locator("#problem")).to_be_hidden()
 
 
 def test_a_film_has_each_frame_and_the_sound_and_frames_are_as_many(opened: Page, tmp_path: Path) -> None:

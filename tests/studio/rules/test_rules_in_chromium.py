@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page
+from playwright.sync_api import Page, expect
 
 from tests.studio.support.accessibility import serious_findings
 from tests.studio.support.waiting import wait_until
@@ -110,6 +110,7 @@ def test_a_reason_leads_to_its_rule(opened: Page) -> None:
     link = opened.locator("#reasons button.link", has_text="_").first
     name = link.inner_text()
     link.click()
+    expect(opened.locator("#rules")).to_be_visible(timeout=1000)
     opened.wait_for_selector("#rules:not([hidden]) #rule-explained h2")
     assert (opened.get_attribute("#rule-explained h2 >> nth=0", "title") or "?") in name
 

@@ -3,6 +3,7 @@
  * are those of the frames, not of the clock.
  */
 
+import { breath } from "./taking.js";
 import { webm } from "./webm.js";
 
 /** @import { Telling } from "./taking.js" */
@@ -64,16 +65,22 @@ async function encodedPictures({ canvas, draw, length_s }, tell) {
   const { encoder, failed } = following((/** @type {(error: DOMException) => void} */ error) => new VideoEncoder({ output: (chunk) => chunks.push(chunkOf(chunk)), error }));
   encoder.configure(videoConfig(canvas));
   const count = Math.ceil(length_s * FILM_HZ);
-  for (let place = 0; place < count; place++) {
-    draw(place / FILM_HZ);
-    const frame = new VideoFrame(canvas, { timestamp: Math.round((place * US) / FILM_HZ), duration: Math.round(US / FILM_HZ) });
-    encoder.encode(frame, { keyFrame: place % KEY_EVERY === 0 });
-    frame.close();
-    tell((place + 1) / count);
-    await Promise.race([roomIn(encoder), failed]);
+  try {
+    for (let place = 0; place < count; place++) {
+      draw(place / FILM_HZ);
+      const frame = new VideoFrame(canvas, { timestamp: Math.round((place * US) / FILM_HZ), duration: Math.round(US / FILM_HZ) });
+      encoder.encode(frame, { keyFrame: place % KEY_EVERY === 0 });
+      frame.close();
+      tell((place + 1) / count);
+      await Promise.race([roomIn(encoder), failed]);
+      await breath();
+    }
+    await Promise.race([encoder.flush(), failed]);
+  } finally {
+    if (encoder.state !== "closed") {
+      encoder.close();
+    }
   }
-  await Promise.race([encoder.flush(), failed]);
-  encoder.close();
   return chunks;
 }
 

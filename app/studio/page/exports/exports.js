@@ -9,6 +9,7 @@ import { SCREEN } from "../stage/viewing.js";
 import { TAKES } from "../takes/takes.js";
 import { film } from "./film.js";
 import { FORMATS } from "./formats.js";
+import { Making, MAKING } from "./making.js";
 import { frames, sheet } from "./pictures.js";
 import { projectFile } from "./project_file.js";
 
@@ -22,15 +23,17 @@ import { projectFile } from "./project_file.js";
  * @param {Service} service
  */
 export function mountExports(element, store, service) {
-  const told = el("p", { id: "exported", role: "status", class: "quiet" });
-  const made = buttons(store, told);
+  const making = new Making(store);
+  const made = buttons(store, making);
   const controls = el("fieldset", { disabled: true }, [
     part("Film and pictures", "What the stage shows, at 1920 × 1080.", el("div", { class: "row" }, made.pictures)),
-    part("For another program", "The line as motion, behaviour (BML) or a list of times.", formatRow(store, service, told)),
+    part("For another program", "The line as motion, behaviour (BML) or a list of times.", formatRow(store, service, making)),
     part("To go on later", "Recording, words, edits and takes in one file. Drop it on the page to go on.", el("div", { class: "row" }, [made.project])),
   ]);
-  element.append(controls, told, part("Edits alone", "For the same line elsewhere, or for a whole script (batch).", fileButtons(store)));
-  store.watch(PERFORMED, (line) => (controls.disabled = line === null));
+  element.append(making.element, controls, part("Edits alone", "For the same line elsewhere, or for a whole script (batch).", fileButtons(store)));
+  for (const of of [PERFORMED, MAKING]) {
+    store.watch(/** @type {typeof MAKING} */ (of), () => (controls.disabled = store.get(PERFORMED) === null || store.get(MAKING)));
+  }
 }
 
 /**
@@ -45,26 +48,26 @@ function part(title, hint, controls) {
 /**
  * @param {Store} store
  * @param {Service} service
- * @param {HTMLElement} told
+ * @param {Making} making
  */
-function formatRow(store, service, told) {
+function formatRow(store, service, making) {
   const names = [...FORMATS].map(([ending, { name }]) => /** @type {const} */ ([ending, `${name} (${ending})`]));
   const format = choice(names, ".bml", () => undefined);
   format.id = "format";
   format.ariaLabel = "Format";
   const click = () => {
     const write = FORMATS.get(format.value)?.write;
-    void offer(store, told, format.value, (exported) => write?.(service, exported));
+    void offer(store, making, format.value, (exported) => write?.(service, exported));
   };
   return el("div", { class: "row" }, [format, el("button", { type: "button", id: "export", click }, ["Save file"])]);
 }
 
 /**
  * @param {Store} store
- * @param {HTMLElement} told
+ * @param {Making} making
  */
-function buttons(store, told) {
-  const tell = (/** @type {number} */ share) => told.replaceChildren(`${String(Math.round(share * 100))} %`);
+function buttons(store, making) {
+  const tell = (/** @type {number} */ share) => making.tell(share);
   const screen = () => {
     const found = store.get(SCREEN);
     if (!found) {
@@ -73,7 +76,7 @@ function buttons(store, told) {
     return found;
   };
   const button = (/** @type {string} */ name, /** @type {string} */ ending, /** @type {(exported: Exported) => Promise<Blob>} */ make) =>
-    el("button", { type: "button", click: () => void offer(store, told, ending, make) }, [name]);
+    el("button", { type: "button", click: () => void offer(store, making, ending, make) }, [name]);
   const pictures = [
     button("Film (WebM)", ".webm", ({ performed }) => film(store, screen(), lengthOf(performed), tell)),
     button("Frames (PNG)", ".frames.zip", ({ performed }) => frames(store, screen(), lengthOf(performed), tell)),
@@ -91,26 +94,24 @@ function lengthOf({ performance }) {
  * Makes a file of the line as it is now and has the browser save it; what goes wrong is told.
  *
  * @param {Store} store
- * @param {HTMLElement} told
+ * @param {Making} making
  * @param {string} ending
  * @param {(exported: Exported) => Promise<Blob> | undefined} make
  */
-async function offer(store, told, ending, make) {
+async function offer(store, making, ending, make) {
   const performed = store.get(PERFORMED);
   const { audio, ...project } = store.get(PROJECT);
   if (!performed || !audio) {
     return;
   }
-  told.replaceChildren("Making it…");
   const name = audio.name.replace(/\.[^.]*$/, "") + ending;
   try {
-    const content = await make({ line: { ...project, audio }, performed, avatar: store.get(AVATAR) });
+    const content = await making.make(async () => make({ line: { ...project, audio }, performed, avatar: store.get(AVATAR) }));
     if (content) {
       save(content, name);
-      told.replaceChildren(`${name}: ${String(Math.ceil(content.size / 1024))} KB`);
+      making.say(`${name}: ${String(Math.ceil(content.size / 1024))} KB`);
     }
   } catch (error) {
-    told.replaceChildren();
     store.set(PROBLEM, problemOf(error));
   }
 }

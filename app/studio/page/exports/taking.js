@@ -5,7 +5,7 @@ import { PLAYBACK, SELECTION, TIME_S } from "../state/performed.js";
 /** @import { Store } from "../state/store.js" */
 /** @import { Screen } from "../stage/viewing.js" */
 
-/** Tells how far something is, from 0 to 1. @typedef {(share: number) => void} Telling */
+/** Tells how far something is, from 0 to 1; throws where it was given up. @typedef {(share: number) => void} Telling */
 
 const FILM = Object.freeze({ width_px: 1920, height_px: 1080 });
 
@@ -25,6 +25,19 @@ export async function taken(store, { canvas, draw }, time_s) {
     throw new Error("the browser made no picture of the stage");
   }
   return picture;
+}
+
+/** Lets the browser draw the page and hear clicks, also where the page is not seen (unlike a timer). */
+export function breath() {
+  const { port1, port2 } = new MessageChannel();
+  return new Promise((/** @type {(value: void) => void} */ resolve) => {
+    port1.addEventListener("message", () => {
+      port1.close();
+      resolve();
+    });
+    port1.start();
+    port2.postMessage(null);
+  });
 }
 
 /**

@@ -4,6 +4,7 @@
  */
 
 import { el } from "../dom.js";
+import { VIEW } from "../frame/views.js";
 import { problemOf } from "../service/service.js";
 import { PERFORMED, PROBLEM, SELECTION } from "../state/performed.js";
 import { selectAndSeek } from "../state/selecting.js";
@@ -70,6 +71,17 @@ function shown({ title, told }, store) {
 }
 
 /**
+ * Shows the view of the rules at once; it may still have to be loaded, and the rules with it.
+ *
+ * @param {Store} store
+ * @param {string} rule
+ */
+function askFor(store, rule) {
+  store.set(ASKED_RULE, rule);
+  store.set(VIEW, "rules");
+}
+
+/**
  * @param {Told} told
  * @param {Store} store
  * @returns {(Node | string)[]}
@@ -82,6 +94,6 @@ function line({ text, id, rule }, store) {
     return [text];
   }
   const place = store.get(PLACES).get(rule);
-  const asked = el("button", { type: "button", class: "link", click: () => store.set(ASKED_RULE, rule) }, [text]);
+  const asked = el("button", { type: "button", class: "link", click: () => askFor(store, rule) }, [text]);
   return place ? [asked, el("code", { class: "place" }, [place])] : [asked];
 }

@@ -34,6 +34,9 @@ export const DRAFTS = slice(/** @type {Readonly<Record<string, string>>} */ ({})
 /** The mistakes in the rules with these texts. */
 export const MISTAKES = slice(/** @type {readonly PlacedMistake[]} */ ([]));
 
+/** Whether that is being asked. */
+export const TRYING = slice(false);
+
 /** What the texts change in all example lines and in the line; null until it was asked. */
 export const COMPARED = slice(/** @type {RuleComparison | null} */ (null));
 

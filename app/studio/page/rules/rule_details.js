@@ -2,7 +2,7 @@
 
 import { el } from "../dom.js";
 import { plain } from "../naming/movements.js";
-import { CHOSEN, COMPARED, EXPLAINED } from "./rule_book.js";
+import { CHOSEN, COMPARED, EXPLAINED, TRYING } from "./rule_book.js";
 import { toldChanges } from "./telling_changes.js";
 
 /** @import { RuleComparison, RuleExplanations } from "understudy-client" */
@@ -20,7 +20,13 @@ export function ruleDetails(store) {
   const explained = el("div", { id: "rule-explained" });
   const compared = el("div", { id: "rules-compared", role: "status" });
   store.watch(EXPLAINED, (found) => explained.replaceChildren(...(found ? explanations(store, found) : [hint])));
-  store.watch(COMPARED, (found) => compared.replaceChildren(...(found ? comparison(found) : [])));
+  const compare = () => {
+    const found = store.get(COMPARED);
+    const asked = el("p", { class: "quiet" }, ["Reading every example line with your changes and without…"]);
+    compared.replaceChildren(...(store.get(TRYING) ? [asked] : found ? comparison(found) : []));
+  };
+  store.watch(COMPARED, compare);
+  store.watch(TRYING, compare);
   return el("section", { class: "rule-details", "aria-label": "About the rule" }, [compared, explained]);
 }
 

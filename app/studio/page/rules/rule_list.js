@@ -29,7 +29,7 @@ export function ruleList(store, service) {
   const show = () => {
     const { text, kind: of } = store.get(FILTER);
     const found = matching(store.get(ITEMS), text, of);
-    count.replaceChildren(text && found.length > MOST_SHOWN ? `${String(MOST_SHOWN)} of ${found.length.toLocaleString("en")} shown` : `${found.length.toLocaleString("en")} ${text || of ? "found" : "rules and words"}`);
+    count.textContent = toldCount(store.get(ITEMS).length, found.length, text, text !== "" || of !== "");
     list.replaceChildren(...(text ? found.slice(0, MOST_SHOWN).map((item) => entry(store, item)) : groupsOf(found).map((each) => group(store, each))));
   };
   for (const of of [FILTER, ITEMS]) {
@@ -37,6 +37,22 @@ export function ruleList(store, service) {
   }
   const filter = el("div", { class: "row" }, [labelled("Search", typed), labelled("Kind", kind)]);
   return el("section", { class: "rule-browser", "aria-label": "Rule browser" }, [filter, newCharacter(store, service), count, list]);
+}
+
+/**
+ * How many there are, of which some are found; none at all before they are loaded.
+ *
+ * @param {number} all
+ * @param {number} found
+ * @param {string} text
+ * @param {boolean} isFiltered
+ */
+function toldCount(all, found, text, isFiltered) {
+  const count = found.toLocaleString("en");
+  if (all === 0) {
+    return "Loading rules…";
+  }
+  return text && found > MOST_SHOWN ? `${String(MOST_SHOWN)} of ${count} shown` : `${count} ${isFiltered ? "found" : "rules and words"}`;
 }
 
 /**

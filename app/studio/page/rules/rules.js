@@ -44,7 +44,6 @@ export function mountRules(element, store, service) {
 function watchAsked(store) {
   store.watch(ASKED_RULE, (name) => {
     if (name !== null) {
-      store.set(VIEW, "rules");
       chooseAsked(store);
     }
   });

@@ -5,7 +5,7 @@ import { VIEW } from "../frame/views.js";
 import { ChangeProject } from "../state/change_project.js";
 import { PROJECT } from "../state/project.js";
 import { saveFile } from "../service/files.js";
-import { CHOSEN, COMPARED, DRAFTS, FILES, MISTAKES, pathOf, posted, ruleDrafts, told } from "./rule_book.js";
+import { CHOSEN, COMPARED, DRAFTS, FILES, MISTAKES, pathOf, posted, ruleDrafts, told, TRYING } from "./rule_book.js";
 
 /** @import { RuleComparison } from "understudy-client" */
 /** @import { Service } from "../service/service.js" */
@@ -38,13 +38,14 @@ export function actions(store, service) {
     const isWrong = store.get(MISTAKES).length > 0;
     const file = store.get(CHOSEN)?.file ?? "";
     run.disabled = isWrong;
-    compare.disabled = isWrong || Object.keys(ruleDrafts(store)).length === 0;
+    compare.disabled = store.get(TRYING) || isWrong || Object.keys(ruleDrafts(store)).length === 0;
+    compare.textContent = store.get(TRYING) ? "Reading the examples…" : "See what changes";
     back.disabled = !(file in drafts);
     save.hidden = !store.get(FILES).writable;
     save.disabled = isWrong || !(file in drafts);
     bar.hidden = file === "" && Object.keys(drafts).length === 0;
   };
-  for (const of of [DRAFTS, MISTAKES, CHOSEN, FILES]) {
+  for (const of of [DRAFTS, MISTAKES, CHOSEN, FILES, TRYING]) {
     store.watch(/** @type {typeof FILES} */ (of), show);
   }
   return bar;
@@ -69,10 +70,12 @@ function perform(store) {
 async function compareAll(store, service) {
   const { text } = store.get(PROJECT);
   const lines = text.trim() ? { [THIS_LINE]: text } : {};
+  store.set(TRYING, true);
   await told(store, async () => {
     const found = await posted(service, "rules/compare", { files: ruleDrafts(store), lines });
     store.set(COMPARED, /** @type {RuleComparison} */ (found));
   });
+  store.set(TRYING, false);
 }
 
 /** @param {Store} store */

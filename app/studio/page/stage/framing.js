@@ -25,6 +25,8 @@ const FRAMES = Object.freeze({
   medium: { from: 0.44, to: 1.17, width_m: 1.6 },
   close: { from: 0.56, to: 1.15, width_m: 1.05 },
 });
+/** Room for names above the heads, where several are compared: another share. */
+const NAMED = 0.05;
 const DEPTH_M = 0.3;
 const BODY_M = 0.34;
 const NEAREST_M = 0.5;
@@ -98,7 +100,8 @@ export function roundFrom({ from_m: [x, , z] }, { x: sx, z: sz, facing_rad }) {
  * @param {Picture} picture
  */
 function ofOne(shot, subject, others, { aspect, eyes_m, extra_m = 0 }) {
-  const { from, to, width_m } = FRAMES[shot];
+  const { from, width_m } = FRAMES[shot];
+  const to = FRAMES[shot].to + (extra_m > 0 ? NAMED : 0);
   const away_m = distanceFor(width_m + extra_m, (to - from) * eyes_m, aspect);
   const height_m = ((from + to) / 2) * eyes_m;
   const views = (others.length > 0 ? ROUND_DEG : [ALONE_DEG]).flatMap((deg) => [deg, -deg]).map((deg) => {

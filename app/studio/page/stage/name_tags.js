@@ -1,4 +1,4 @@
-/** The names above the heads of those who stand on the stage, where there are several; below them where there is no room. */
+/** The names of those who stand on the stage, where there are several: all in one row above the heads, or below where there is no room. */
 
 import { el } from "../dom.js";
 
@@ -8,7 +8,7 @@ import { el } from "../dom.js";
 
 /** Whom a tag is on; `edited` for the version that is changed. @typedef {Readonly<{ name: string, edited: boolean, figure: Figure }>} Named */
 
-const ABOVE_M = 0.32;
+const ABOVE_M = 0.26;
 /** With less room than this above a head its name would hide the face. */
 const LEAST_ROOM_PX = 18;
 
@@ -21,20 +21,31 @@ export class NameTags {
    */
   show(named, camera) {
     const height_px = named.length > 0 ? (this.element.parentElement?.clientHeight ?? 0) : 0;
-    const tags = named.flatMap(({ name, edited, figure }) => {
+    const places = named.flatMap(({ figure, ...each }) => {
       const place = figure.place("head");
-      if (!place) {
-        return [];
-      }
-      const { x, y } = place.setY(place.y + ABOVE_M).project(camera);
-      const tag = el("span", { class: edited ? "name-tag edited" : "name-tag" }, [name]);
-      tag.style.left = `${String(50 + 50 * x)}%`;
-      const isRoom = (0.5 - 0.5 * y) * height_px >= LEAST_ROOM_PX;
-      tag.style.top = isRoom ? `max(var(--control), ${String(50 - 50 * y)}%)` : "calc(100% - .2rem)";
-      return [tag];
+      return place ? [{ ...each, at: place.setY(place.y + ABOVE_M).project(camera) }] : [];
     });
-    this.element.replaceChildren(...tags);
+    const top = Math.min(...places.map(({ at }) => 0.5 - 0.5 * at.y));
+    const isRoom = top * height_px >= LEAST_ROOM_PX;
+    const row = isRoom ? `max(var(--control), ${String(100 * top)}%)` : "calc(100% - .2rem)";
+    this.element.replaceChildren(...places.map((each) => tagOf(each, row)));
   }
+}
+
+/**
+ * A name as far along its row as its body is, and never over the edge of the stage: at the left edge it begins there, at the
+ * right one it ends there.
+ *
+ * @param {Readonly<{ name: string, edited: boolean, at: Readonly<{ x: number }> }>} named
+ * @param {string} top
+ */
+function tagOf({ name, edited, at }, top) {
+  const tag = el("span", { class: edited ? "name-tag edited" : "name-tag" }, [name]);
+  const along = `${String(Math.min(100, Math.max(0, 50 + 50 * at.x)))}%`;
+  tag.style.left = along;
+  tag.style.top = top;
+  tag.style.transform = `translate(-${along}, -100%)`;
+  return tag;
 }
 
 /**

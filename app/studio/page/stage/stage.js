@@ -19,7 +19,7 @@ import { recordingOf } from "./recording.js";
 import { makePlace } from "./scene.js";
 import { followTheme } from "./theme.js";
 import { mountTransport } from "./transport.js";
-import { CHARACTERS, COMPARED_NAME, GUESTS, rolesOf, SCREEN, VIEWING } from "./viewing.js";
+import { CHARACTERS, COMPARED_NAME, GUESTS, rolesOf, SCREEN, showsGuests, VIEWING } from "./viewing.js";
 
 /** @import { Service } from "../service/service.js" */
 /** @import { Store } from "../state/store.js" */
@@ -147,7 +147,7 @@ class Stage {
     const avatar = this.#store.get(AVATAR);
     const roles = line ? rolesOf(line, listening, avatar, this.#store.get(CHARACTERS)) : [];
     try {
-      await this.#cast.take([...roles, ...this.#store.get(GUESTS)]);
+      await this.#cast.take([...roles, ...(showsGuests(viewing) ? this.#store.get(GUESTS) : [])]);
       await this.#drawings.take(listening !== "instead" && !avatar ? line : null, viewing);
     } catch (error) {
       this.#store.set(PROBLEM, problemOf(error));

@@ -68,6 +68,15 @@ export function rolesOf({ performance, motion, listeners }, listening, avatar, c
 }
 
 /**
+ * Whether a version that is compared is seen: shots on a listener have no room beside the speaker, and would cut it.
+ *
+ * @param {Viewing} viewing
+ */
+export function showsGuests({ shot, listening }) {
+  return shot !== "over_shoulder" && !(shot === "two_shot" && listening === "beside");
+}
+
+/**
  * Where somebody stands whose head is there.
  *
  * @param {readonly number[] | undefined} head_m

@@ -3,7 +3,7 @@
 import { PERFORMED, PLAYBACK, SELECTION, TIME_S } from "./performed.js";
 
 /** @import { Store } from "./store.js" */
-/** @import { Performance } from "understudy-client" */
+/** @import { Behavior, Performance } from "understudy-client" */
 
 /**
  * @param {Store} store
@@ -16,6 +16,16 @@ export function selectAndSeek(store, id) {
   if (time_s !== null && !store.get(PLAYBACK).playing) {
     store.set(TIME_S, time_s);
   }
+}
+
+/**
+ * Looks at a movement that is not of the line's own, such as one of another version.
+ *
+ * @param {Store} store
+ * @param {Pick<Behavior, "sync">} behavior
+ */
+export function seekTo(store, { sync }) {
+  store.set(TIME_S, momentOf(sync));
 }
 
 /**

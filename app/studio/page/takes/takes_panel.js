@@ -5,7 +5,7 @@ import { icon } from "../icons.js";
 import { movementName } from "../naming/movements.js";
 import { redraw } from "../redrawing.js";
 import { draftOf, PROJECT } from "../state/project.js";
-import { selectAndSeek } from "../state/selecting.js";
+import { seekTo, selectAndSeek } from "../state/selecting.js";
 import { COMPARED, COMPARING, DIFFERS, keepCompared, nameOf, VERSIONS } from "./comparing.js";
 import { toldDifferences } from "./differences.js";
 import { anotherTake, forgetTake, keepTake, takeOf, TAKES, useTake } from "./takes.js";
@@ -22,7 +22,7 @@ import { anotherTake, forgetTake, keepTake, takeOf, TAKES, useTake } from "./tak
  */
 export function mountTakes(element, store, service) {
   const another = el("button", { type: "button", id: "another-take", title: "Keeps the line as it is, and performs it once more in another way" }, [icon("add"), "New take"]);
-  const keep = el("button", { type: "button", id: "keep-version", title: "Keeps the line as it is, while you go on with it" }, ["Keep as it is"]);
+  const keep = el("button", { type: "button", id: "keep-version", title: "Keeps the line that you edit as a take, as it is now, while you go on with it" }, ["Keep this line"]);
   another.addEventListener("click", () => store.set(COMPARED, anotherTake(store).id));
   keep.addEventListener("click", () => store.set(COMPARED, keepTake(store).id));
   const hint = el("p", { class: "quiet" }, ["A take is the line as it is performed now. A new one keeps it and tries another way; both stand side by side, and you go on with the one you like."]);
@@ -72,7 +72,7 @@ function entry(store, take) {
     el("button", { type: "button", click, ...attributes }, [text]);
   return el("li", {}, [
     el("span", { title: `seed ${String(options.seed ?? 0)}` }, [el("b", {}, [take.name]), ` ${told}`]),
-    button("Edit", () => useTake(store, take), { disabled: isNow, "aria-label": `Edit ${take.name}` }),
+    button("Use this one", () => useTake(store, take), { disabled: isNow, title: "Makes it the line that you edit", "aria-label": `Use this one: ${take.name}` }),
     button("Compare", () => store.set(COMPARED, isBeside ? "none" : take.id), { "aria-pressed": String(isBeside), "aria-label": `Compare with ${take.name}` }),
     button("✕", () => forgetTake(store, take), { class: "quiet square", "aria-label": `Forget ${take.name}` }),
   ]);
@@ -91,10 +91,12 @@ function differing(store) {
     return [];
   }
   const { here, there } = differs.found;
-  const own = here.map((behavior) =>
-    el("li", {}, ["This line: ", el("button", { type: "button", class: "link", click: () => selectAndSeek(store, behavior.id) }, [said(behavior)])]),
-  );
-  return [...own, ...there.map((behavior) => el("li", {}, [`${nameOf(store) ?? ""}: ${said(behavior)}`]))];
+  const entry = (/** @type {string} */ whose, /** @type {Behavior} */ behavior, /** @type {() => void} */ click) =>
+    el("li", {}, [`${whose}: `, el("button", { type: "button", class: "link", click }, [said(behavior)])]);
+  return [
+    ...here.map((behavior) => entry("This line", behavior, () => selectAndSeek(store, behavior.id))),
+    ...there.map((behavior) => entry(nameOf(store) ?? "", behavior, () => seekTo(store, behavior))),
+  ];
 }
 
 /** @param {Behavior} behavior */
