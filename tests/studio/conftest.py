@@ -21,6 +21,15 @@ from understudy.models import Understudy
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 KEPT = "localStorage.setItem('understudy-advanced', 'yes'); localStorage.setItem('understudy-quality', 'low');"
 """All settings are there, and bodies are drawn coarsely, since nobody looks: that takes a fifth of the time."""
+UNSEEN = """
+for (const name of ["drawElements", "drawArrays"]) {
+  const draw = WebGL2RenderingContext.prototype[name];
+  WebGL2RenderingContext.prototype[name] = function (...given) {
+    if (window.isSeen) draw.apply(this, given);
+  };
+}
+"""
+"""Nothing is drawn in 3-D until a test that looks at a picture sets `isSeen`: the rest of a frame is as ever."""
 SIZE = ViewportSize(width=1280, height=720)
 PATIENCE_MS = 60_000
 NOT_ASKED = ("data:", "blob:")
@@ -114,6 +123,7 @@ def _new_page(browser: Browser, service_url: str) -> Iterator[Page]:
     """A page of a browser that knows nothing yet."""
     context = browser.new_context(viewport=SIZE, color_scheme="light", accept_downloads=True, base_url=service_url)
     context.add_init_script(KEPT)
+    context.add_init_script(UNSEEN)
     made = context.new_page()
     made.set_default_timeout(PATIENCE_MS)
     yield made

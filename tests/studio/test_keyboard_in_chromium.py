@@ -138,8 +138,9 @@ def test_the_camera_orbits_by_keyboard(looked_at: Page) -> None:
     looked_at.click("#views >> text='Line'")
     picture = "document.querySelector('#stage-canvas').toDataURL()"
     before = looked_at.evaluate(picture)
+    looked_at.evaluate("window.isSeen = true")
     looked_at.focus("#stage-canvas")
-    for key in ("d", "w", "+"):
+    for key in ("a", "d", "w", "+"):  # by the first it is drawn at all
         looked_at.keyboard.press(key)
         wait_until(looked_at, f"{picture} !== {json.dumps(before)}")
         before = looked_at.evaluate(picture)

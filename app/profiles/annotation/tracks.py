@@ -20,7 +20,7 @@ from typing import Generic, TypeVar
 
 from lxml import etree
 
-from .model import AnnotationError, AnnotationMistake
+from .mistakes import AnnotationError, AnnotationMistake
 
 Thing = TypeVar("Thing")
 

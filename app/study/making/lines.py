@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...batch.matching import find_recordings
-from ...batch.planning import BatchRequest, plan_batch, without_audio
+from ...batch.planning import plan_batch, without_audio
+from ...batch.request import BatchRequest
 from ...batch.work.jobs import LineJob
 from ...errors import InputError
 from ...model import Line
