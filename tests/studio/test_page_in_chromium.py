@@ -30,6 +30,15 @@ def test_a_wrong_file_shows_the_services_own_words(opened: Page, tmp_path: Path)
     opened.wait_for_selector("#stage-canvas[data-roles='speaker']")
 
 
+def test_a_new_line_is_typed_at_once_and_nothing_is_said_to_be_heard(opened: Page) -> None:
+    opened.click("#new-line")
+    expect(opened.locator("#written")).to_be_focused()
+    opened.fill("#written", "No, I have never seen them!")
+    opened.click("#perform-written")
+    expect(opened.locator("#project h2").first).to_have_text("No, I have never…")
+    expect(opened.locator("#agitation option").first).to_contain_text("By itself: ")
+
+
 def test_a_body_that_is_none_is_told_and_ours_stays(looked_at: Page, tmp_path: Path) -> None:
     wrong = tmp_path / "body.glb"
     wrong.write_bytes(b"no body")

@@ -5,7 +5,7 @@ import { ChangeEdits, changeEdits, editsOf } from "../../../app/studio/page/chan
 import { editsFile, projectWith } from "../../../app/studio/page/changes/edit_files.js";
 import { withAdded, withBehavior, withoutBehavior, withWord } from "../../../app/studio/page/changes/edits.js";
 import { successor } from "../../../app/studio/page/changes/following.js";
-import { matching } from "../../../app/studio/page/changes/gesture_browser.js";
+import { matching, sections } from "../../../app/studio/page/changes/gesture_browser.js";
 import { Lexemes } from "../../../app/studio/page/changes/lexemes.js";
 import { withMoved } from "../../../app/studio/page/changes/moving.js";
 import { withHands } from "../../../app/studio/page/changes/pinning.js";
@@ -107,4 +107,5 @@ test("gestures are found by family, those that show it first, and by name", () =
   const lexemes = new Lexemes(/** @type {any} */ ({ lexemes: { gesture: ["CUT", "STOP", "WAVE"] }, families }));
   assert.deepEqual(matching(lexemes, "stop_refuse", ""), ["STOP", "CUT"]);
   assert.deepEqual(matching(lexemes, "", "wa"), ["WAVE"]);
+  assert.deepEqual(sections(lexemes, "", "stop").map(({ found }) => found), [["STOP"], ["CUT"]]);
 });

@@ -199,7 +199,7 @@ def table_read(desk: Desk) -> None:
     page.fill(".note >> nth=1", "Slower, and look up before “back”.")
     page.press(".note >> nth=1", "Tab")
     desk.look("scene")
-    page.get_by_role("button", name="Open two in the studio").click()
+    page.get_by_role("button", name="Open in Line: two").click()
     _ready(page)
     expect(page.locator("#project .title h2")).to_contain_text("two")
     desk.look("opened")

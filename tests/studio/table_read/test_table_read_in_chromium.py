@@ -74,7 +74,7 @@ def test_a_line_of_the_scene_is_noted_on_and_opened_in_the_studio(room: Page, sc
     with room.expect_download() as download:
         room.click("#scene-notes")
     assert Path(download.value.path()).read_text(encoding="utf-8") == "two\tHENRY\tslower\n"
-    room.click("[aria-label='Open two in the studio']")
+    room.click("[aria-label='Open in Line: two']")
     room.wait_for_selector("#stage-canvas[data-roles='speaker']")
     assert "really sure" in room.input_value("#text")
 

@@ -77,21 +77,35 @@ export function matching(lexemes, family, text) {
 }
 
 /**
+ * Whether what is typed is all of a gesture's name.
+ *
+ * @param {string} lexeme
+ * @param {string} text
+ */
+function isCalled(lexeme, text) {
+  const typed = text.trim().toLowerCase();
+  return movementName("gesture", lexeme).toLowerCase() === typed || lexeme.toLowerCase() === typed;
+}
+
+/**
  * Gestures under what they mean: first those of the family, then those that the author uses, then all. Where something is
- * searched, what is found alone.
+ * searched, what is found alone, what is called exactly so before the rest.
  *
  * @param {Lexemes} lexemes
  * @param {string} family
  * @param {string} text
  */
-function sections(lexemes, family, text) {
+export function sections(lexemes, family, text) {
   const found = matching(lexemes, "", text);
   const isSearched = text.trim() !== "";
-  const first = family && !isSearched ? matching(lexemes, family, text) : [];
-  const suggested = { title: `For “${familyName(family)}”`, found: first };
-  const own = [["Recent", recent()], ["Favourites", favourites()]].map(([title, some]) => ({ title: String(title), found: found.filter((each) => !first.includes(each) && some?.includes(each)) }));
-  const grouped = GROUPS.map((group) => ({ title: group.name, found: found.filter((each) => !first.includes(each) && groupOf(lexemes.familiesOf(each)) === group) }));
-  return [...(isSearched ? [] : [suggested, ...own]), ...grouped].filter((section) => section.found.length > 0);
+  const first = isSearched ? found.filter((lexeme) => isCalled(lexeme, text)) : family ? matching(lexemes, family, text) : [];
+  const rest = found.filter((lexeme) => !first.includes(lexeme));
+  const own = isSearched ? [] : [{ title: "Recent", some: recent() }, { title: "Favourites", some: favourites() }];
+  return [
+    { title: isSearched ? "By this name" : `For “${familyName(family)}”`, found: first },
+    ...own.map(({ title, some }) => ({ title, found: rest.filter((each) => some.includes(each)) })),
+    ...GROUPS.map((group) => ({ title: group.name, found: rest.filter((each) => groupOf(lexemes.familiesOf(each)) === group) })),
+  ].filter((section) => section.found.length > 0);
 }
 
 /**

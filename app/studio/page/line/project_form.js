@@ -1,12 +1,12 @@
 /** The line as its author gives it: recording, words, character, agitation, seed, stillness, mode, gesture profile. */
 
-import { choice, el, foldable, labelled } from "../dom.js";
+import { choice, el, foldable, found, labelled } from "../dom.js";
 import { AGITATION, plain } from "../naming/movements.js";
 import { strongest } from "../naming/tones.js";
 import { problemOf } from "../service/service.js";
 import { ChangeProject } from "../state/change_project.js";
 import { AVATAR, PERFORMED, PROBLEM } from "../state/performed.js";
-import { PROJECT } from "../state/project.js";
+import { isRecorded, PROJECT, titleOf } from "../state/project.js";
 import { CHARACTERS } from "../stage/viewing.js";
 import { lineState } from "./line_state.js";
 import { STARTING } from "./starting.js";
@@ -37,11 +37,18 @@ export function mountProject(element, store, service) {
 /** What is open, and the way to something else. @param {Store} store */
 function title(store) {
   const name = el("h2", {}, []);
-  store.watch(PROJECT, ({ audio }) => ([name.textContent, name.title] = [audio?.name ?? "", audio?.name ?? ""]));
+  store.watch(PROJECT, ({ audio, text }) => ([name.textContent, name.title] = audio ? [titleOf(audio, text), audio.name] : ["", ""]));
   const other = el("button", { type: "button", id: "open-another", click: () => store.set(STARTING, true) }, ["Open…"]);
+  const blank = el("button", { type: "button", id: "new-line", title: "Type a new line, or give its recording", click: () => startWriting(store) }, ["New"]);
   const ours = el("button", { type: "button", click: () => store.set(AVATAR, null) }, ["Use the default body"]);
   store.watch(AVATAR, (avatar) => (ours.hidden = avatar === null));
-  return el("div", {}, [el("div", { class: "title" }, [name, other]), ours]);
+  return el("div", {}, [el("div", { class: "title" }, [name, blank, other]), ours]);
+}
+
+/** The start page, ready to type on. @param {Store} store */
+function startWriting(store) {
+  store.set(STARTING, true);
+  found(document, "#written", HTMLTextAreaElement).focus();
 }
 
 /** @param {Store} store */
@@ -119,7 +126,7 @@ function chosenOptions(store) {
 }
 
 /**
- * Where nothing else is chosen, the field says what was heard.
+ * Where nothing else is chosen, the field says what was heard, or made of the words where there is nothing to hear.
  *
  * @param {Store} store
  * @param {"agitation" | "affect"} name
@@ -127,10 +134,12 @@ function chosenOptions(store) {
  */
 function tellWhatIsHeard(store, name, { field, heard }) {
   store.watch(PERFORMED, (line) => {
+    const { audio } = store.get(PROJECT);
+    const isHeard = audio === null || isRecorded(audio);
     const said = line && !store.get(PROJECT).options[name] ? heard(line.performance) : undefined;
     const [first] = field.options;
     if (first) {
-      first.text = said ? `Heard: ${said.toLowerCase()}` : AS_HEARD;
+      first.text = said ? `${isHeard ? "Heard" : "By itself"}: ${said.toLowerCase()}` : isHeard ? AS_HEARD : "By itself";
     }
   });
 }

@@ -2,6 +2,8 @@
 
 import { el } from "../dom.js";
 
+import { LISTENER } from "./viewing.js";
+
 /** @import { PerspectiveCamera } from "three" */
 /** @import { Standing } from "./cast.js" */
 /** @import { Figure } from "./figure.js" */
@@ -59,6 +61,6 @@ export function namedOf(standing, compared) {
   const isCompared = standing.some(({ role }) => role.name === "compared");
   return (isCompared ? standing : []).map(({ role, figure }) => {
     const edited = role.name === "speaker";
-    return { name: edited ? "This line, edited" : role.name === "compared" ? compared : role.name, edited, figure };
+    return { name: edited ? "This line, edited" : role.name === "compared" ? compared : role.name === LISTENER ? "Listener" : role.name, edited, figure };
   });
 }

@@ -45,6 +45,17 @@ export function unrecorded(text) {
   return new File([], text.trim().split(/\s+/).slice(0, 4).join(" ") || "Unrecorded line");
 }
 
+/**
+ * What a line is called: its recording, or its first words with dots where there are more.
+ *
+ * @param {File} audio
+ * @param {string} text
+ */
+export function titleOf(audio, text) {
+  const isCut = !isRecorded(audio) && text.trim().split(/\s+/).length > audio.name.split(" ").length;
+  return isCut ? `${audio.name}…` : audio.name;
+}
+
 /** @param {File} audio */
 export function isRecorded(audio) {
   return audio.size > 0;

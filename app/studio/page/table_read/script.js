@@ -55,7 +55,7 @@ export class Script {
     const note = el("input", { type: "text", class: "note", placeholder: "Note…", "aria-label": `Note on ${line.id}`, value: noteOn(script, line.id) });
     note.addEventListener("change", () => takeNote(script, line.id, note.value.trim()));
     const play = el("button", { type: "button", class: "quiet", title: "Play from here", "aria-label": `Play from ${line.id} on`, click: () => this.#doing.play(start_s) }, [icon("play")]);
-    const open = el("button", { type: "button", class: "quiet", title: "Open this line in the studio", "aria-label": `Open ${line.id} in the studio`, click: () => this.#doing.open(line) }, ["Studio"]);
+    const open = el("button", { type: "button", class: "quiet", title: "Open this line in the view Line, to change it", "aria-label": `Open in Line: ${line.id}`, click: () => this.#doing.open(line) }, ["Open in Line"]);
     return el("li", { class: `cast-${String(colourOf(cast, line.speaker))}` }, [go, el("div", { class: "beside-line" }, [play, note, open])]);
   }
 

@@ -21,8 +21,8 @@ const KINDS = Object.freeze([
 /** @type {Readonly<Record<PhaseName, string>>} */
 export const PHASE_COLOURS = Object.freeze({
   preparation: "#3f8fd2",
-  hold: "#8a6fc9",
   stroke: "#d9534f",
+  hold: "#8a6fc9",
   retraction: "#2f9e78",
 });
 
