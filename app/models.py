@@ -18,7 +18,7 @@ from .authored_folders import AUTHORED, laid_over, lexicon_folder, rules_folder,
 from .cache import Cache
 from .errors import InputError, did_you_mean, shown
 from .files import RULES, resource_folder
-from .on_demand import OnDemand
+from .loading import OnDemand
 
 if TYPE_CHECKING:
     from .acoustic.models import AcousticModels

@@ -6,7 +6,7 @@ from typing import Self
 
 from ..authored_folders import lexicon_folder
 from ..files import resource_folder
-from ..on_demand import OnDemand
+from ..loading import OnDemand
 from ..settings import Settings
 from .affect.affect_model import AffectModel
 from .affect.line_affect import AffectJudge, FeatureJudge

@@ -12,10 +12,10 @@ from math import inf
 
 from ..behavior.reading.decoding import usual_times_s
 from ..errors import InputError, did_you_mean
+from ..loading import OnDemand
 from ..model import Analysis, Behavior, Fact, Function, Interval, Level, Line, Moment, Utterance
 from ..model.schedule import DEFAULT_CHARACTER
 from ..models import BehaviorModels, LanguageModels, Understudy, load_function_rules, load_realizer
-from ..on_demand import OnDemand
 from ..options import Options
 from ..performance import perform_line
 from ..rules.chaining.chainer import Derivation, derive

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from ..loading import OnDemand
 from ..models import LanguageModels
-from ..on_demand import OnDemand
 from ..profiles.annotation.model import Annotation, TaggedWords
 from ..profiles.learning.learning import learn
 from ..profiles.profile import Profile, tags_of

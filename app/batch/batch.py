@@ -12,15 +12,14 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Protocol
 
+from ..loading import OnDemand
 from ..model.voice.signal import SpeakerReference
-from ..on_demand import OnDemand
 from ..settings import Settings
 from .manifest.hashes import KnownRecording, input_hash, installation_hash, settings_hash
 from .manifest.store import FILE, Manifest, ManifestEntry, State, WrittenFile
-from .planning import BatchPlan, entry_of, hopeless_entries, plan_batch, with_voices
+from .planning import BatchPlan, BatchRequest, entry_of, hopeless_entries, plan_batch, with_voices
 from .reports.html_report import Heading, Thumbnail
 from .reports.writing import remove_reports, reports_are_there, write_reports
-from .request import BatchRequest
 from .running.engine import Done, Engine, supervise
 from .thumbnails import read_thumbnails, remove_other_thumbnails, thumbnail_jobs, thumbnail_paths
 from .voices import keep_learnt, read_learnt

@@ -1,4 +1,5 @@
-"""Turns a script and its recordings into jobs, and into failures for lines that cannot become jobs.
+"""The request for a batch, and its plan: turns a script and its recordings into jobs, and into failures for lines that
+cannot become jobs.
 
 A job has its author's edits: those named in the script, else the file `ID.edits.json` beside the recording, where ID is
 that of the take, that of the line or the recording's own name.
@@ -6,7 +7,7 @@ that of the take, that of the line or the recording's own name.
 
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 from pathlib import Path
 
@@ -18,14 +19,48 @@ from ..options import Options
 from ..schemas.edits import read_edits
 from .audio import AudioSource, advice, converter, is_compressed
 from .casting import NOBODY_CAST, CastingPlan, read_cast
-from .layout import file_name, require_apart
+from .layout import Layout, file_name, require_apart
 from .manifest.store import ManifestEntry, State
-from .matching import JoinedLines, UnmatchedLine, find_recordings, join_one_recording, join_recordings
+from .matching import (
+    JoinedLines,
+    RecordingPattern,
+    TakeChoice,
+    UnmatchedLine,
+    find_recordings,
+    join_one_recording,
+    join_recordings,
+)
 from .model import RowProblem, Script, Take, place_told
-from .request import BatchRequest
 from .scripts.reading import read_script
 from .voices import reference_jobs, speaker_of
-from .work.jobs import Failure, LineJob, ReferenceJob
+from .work.formats import LineFormat, OutputFormat
+from .work.jobs import Failure, LineJob, MotionForm, ReferenceJob
+
+
+@dataclass(frozen=True, slots=True)
+class BatchRequest:
+    """A script, its recordings (a folder, or one recording that lines are cut out of), the output folder, and options.
+    `columns` are headings by field, `sheets` the worksheets that are read (none: all that look alike). `options` apply
+    to all lines, `cast` is the file that says who performs whom. With `has_partners` those who speak next to a line in
+    its scene listen to it, with `learns_voices` the speakers' usual voices are learnt; `again` performs lines that are
+    done too; `thumbnails` is the number of lines pictured in the report."""
+
+    script: Path
+    audio: Path
+    out: Path
+    formats: tuple[OutputFormat, ...] = (LineFormat.BML,)
+    layout: Layout = field(default_factory=Layout)
+    columns: Mapping[str, str] = field(default_factory=dict)
+    sheets: tuple[str, ...] = ()
+    pattern: RecordingPattern | None = None
+    choice: TakeChoice = TakeChoice.LAST
+    options: Options = field(default_factory=Options)
+    motion: MotionForm = field(default_factory=MotionForm)
+    cast: Path | None = None
+    has_partners: bool = True
+    learns_voices: bool = True
+    again: bool = False
+    thumbnails: int = 0
 
 
 @dataclass(frozen=True, slots=True)

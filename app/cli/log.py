@@ -14,7 +14,7 @@ from typing import Any
 
 from ..errors import AuthoringError, InputError, UnderstudyError
 from ..model import Notice
-from ..profiles.annotation.mistakes import AnnotationError
+from ..profiles.annotation.model import AnnotationError
 from ..study.scoring.tables import AnswersError
 
 

@@ -29,8 +29,7 @@ from scipy.signal import argrelmin
 from ..bvh import Bvh, read_bvh
 from ..errors import InputError
 from ..model import FloatArray, Interval
-from .annotation.mistakes import AnnotationError, AnnotationMistake
-from .annotation.model import Phase, PhaseKind
+from .annotation.model import AnnotationError, AnnotationMistake, Phase, PhaseKind
 from .annotation.tracks import Track, TrackSpan
 
 WRISTS = {

@@ -10,8 +10,7 @@ import soundfile
 from understudy.batch.audio import AudioSource
 from understudy.batch.matching import find_recordings, join_recordings
 from understudy.batch.model import ScriptLine
-from understudy.batch.planning import plan_batch, without_audio
-from understudy.batch.request import BatchRequest
+from understudy.batch.planning import BatchRequest, plan_batch, without_audio
 from understudy.errors import InputError, UndecodableError
 from understudy.model import Interval
 

@@ -14,7 +14,7 @@ import understudy
 from understudy.batch.batch import Nobody, run_batch
 from understudy.batch.manifest.hashes import installation_hash
 from understudy.batch.manifest.store import ManifestEntry, State
-from understudy.batch.request import BatchRequest
+from understudy.batch.planning import BatchRequest
 from understudy.batch.work.formats import LineFormat
 from understudy.bml.writing.writer import write_bml
 from understudy.errors import InputError

@@ -13,7 +13,7 @@ import psutil
 import pytest
 
 from understudy.batch.batch import Nobody, run_batch
-from understudy.batch.request import BatchRequest
+from understudy.batch.planning import BatchRequest
 from understudy.cli.main import main
 from understudy.models import Understudy
 from understudy.settings import Settings

@@ -8,7 +8,7 @@ import pytest
 from understudy.model import Behavior, Channel, FloatArray, Hand, Schedule, SyncPoints
 from understudy.models import Understudy
 from understudy.profiles.annotation.elan import write_elan
-from understudy.profiles.annotation.mistakes import AnnotationError
+from understudy.profiles.annotation.model import AnnotationError
 from understudy.profiles.annotation.reading import annotation_of, read_annotations
 from understudy.profiles.annotation.tracks import Track, TrackSpan, rows_of, with_attribute_tracks
 from understudy.profiles.proposing import UNKNOWN, WristPaths, proposed_tracks, proposed_units, read_wrists

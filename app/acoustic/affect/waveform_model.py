@@ -18,10 +18,10 @@ from pathlib import Path
 import numpy as np
 
 from ...errors import ServiceError
+from ...loading import OnnxSession, load_session
 from ...model import Affect
 from ...model.voice.affect import affect_of_dimensions
 from ...model.voice.signal import SpeakerReference
-from ...onnx_sessions import OnnxSession, load_session
 from .affect_model import DIMENSIONS
 from .line_affect import Stretch
 

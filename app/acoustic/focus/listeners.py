@@ -13,8 +13,8 @@ from pathlib import Path
 
 import numpy as np
 
+from ...loading import OnnxSession, load_session
 from ...model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, FloatArray, Interval, SingleArray, Word
-from ...onnx_sessions import OnnxSession, load_session
 from ..signal.fourier import rfft
 from ..signal.frames import SHIFT_SAMPLES, blocks_of_frames, product
 from ..signal.spectrum import mel_filters

@@ -10,10 +10,10 @@ from dataclasses import dataclass, replace
 from functools import partial
 from itertools import chain
 
+from ...loading import OnDemand
 from ...model import Channel, Hand, Level
 from ...model.figure import GestureManner
 from ...model.limits import Forms, GestureTable
-from ...on_demand import OnDemand
 from ..table.behavior_table import BehaviorEntry, BriefGesture, PhaseDuration, Timing
 from .overlays import Character, Characters
 

@@ -25,8 +25,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import ServiceError
+from ...loading import OnnxSession, load_session
 from ...model import LineAffect, SingleArray, Tone, Utterance
-from ...onnx_sessions import OnnxSession, load_session
 
 NEIGHBOURS = (-2, -1, 1, 2)
 """The words around a word whose shares of the focus are features of it."""

@@ -8,9 +8,8 @@ from ...batch.batch import entries_before, run_batch
 from ...batch.layout import OURS, USUAL, Layout
 from ...batch.manifest.store import ManifestEntry, State
 from ...batch.matching import RecordingPattern, TakeChoice
-from ...batch.planning import plan_batch
+from ...batch.planning import BatchRequest, plan_batch
 from ...batch.reports.dry_run import dry_run
-from ...batch.request import BatchRequest
 from ...batch.running.engine import Engine
 from ...batch.scripts.columns import read_named
 from ...batch.work.formats import formats_named, needs_pictures, require_writers

@@ -8,8 +8,8 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING
 
 from ...errors import InputError
+from ...loading import OnDemand
 from ...models import load_characters, load_tags, profile_names
-from ...on_demand import OnDemand
 from ...profiles.annotation.elan import write_elan
 from ...profiles.annotation.reading import LARGEST_BYTES, read_annotations, read_tracks
 from ...profiles.annotation.tables import write_json_tracks

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from lxml import etree
 
-from .mistakes import AnnotationError, AnnotationMistake
+from .model import AnnotationError, AnnotationMistake
 from .tracks import LABELS, Track, TrackSpan, number_of, track_name, track_of, xml_root
 
 _NUMBER = re.compile(r"\d{1,9}", re.ASCII)

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from lxml import etree
 
-from .mistakes import AnnotationError, AnnotationMistake
+from .model import AnnotationError, AnnotationMistake
 from .tracks import Track, TrackSpan, number_of, track_of, xml_root
 
 _UNITS = "milliseconds"

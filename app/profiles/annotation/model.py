@@ -1,13 +1,16 @@
 """The annotation model: a speaker's words, and the movements of hands, head and eyes that accompany them (NGS §3.1).
 
 Times are seconds from the start of the recording; words are numbered from 0. Phrases consist of phases, units of
-phrases. The retraction belongs to the unit and to no phrase (Kendon).
+phrases. The retraction belongs to the unit and to no phrase (Kendon). Mistakes of all files are reported at once, each
+with its file, time and track.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 from pathlib import Path
 
+from ...errors import InputError
 from ...model import Hand, Interval, Word
 
 
@@ -138,3 +141,26 @@ class Annotation:
     def phrases(self) -> tuple[GesturePhrase, ...]:
         """All gestures in order of time."""
         return tuple(phrase for unit in self.units for phrase in unit.phrases)
+
+
+@dataclass(frozen=True, slots=True)
+class AnnotationMistake:
+    """A mistake in an annotation; `time_s` is None if it concerns a whole track, `track` is empty if a whole file."""
+
+    path: Path
+    message: str
+    track: str = ""
+    time_s: float | None = None
+
+    def __str__(self) -> str:
+        time = "" if self.time_s is None else f" at {self.time_s:.3f} s"
+        track = f" {self.track}{time}:" if self.track else ""
+        return f"{self.path}:{track} {self.message}"
+
+
+class AnnotationError(InputError):
+    """Mistakes in annotation files; `mistakes` contains all of them."""
+
+    def __init__(self, mistakes: Iterable[AnnotationMistake]) -> None:
+        self.mistakes = tuple(mistakes)
+        super().__init__("annotation_wrong", "\n".join(map(str, self.mistakes)), field="annotation")

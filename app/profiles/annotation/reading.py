@@ -16,8 +16,7 @@ from ...model import Interval
 from ..segments import segments_of
 from .anvil import read_anvil
 from .elan import read_elan
-from .mistakes import AnnotationError, AnnotationMistake
-from .model import Annotation, GesturePhrase, Phase, PhaseKind, Unit
+from .model import Annotation, AnnotationError, AnnotationMistake, GesturePhrase, Phase, PhaseKind, Unit
 from .spans import (
     TOUCHING_S,
     Checking,

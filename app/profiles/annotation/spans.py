@@ -11,8 +11,7 @@ from typing import TypeVar
 from ...errors import did_you_mean
 from ...model import Hand, Interval, Word
 from ..segments import time_of
-from .mistakes import AnnotationMistake
-from .model import LabelledInterval, PathForm, PhaseKind, Position, Swivel, TaggedWords
+from .model import AnnotationMistake, LabelledInterval, PathForm, PhaseKind, Position, Swivel, TaggedWords
 from .tracks import PHRASE_ATTRIBUTES, InTime, Track, TrackSpan
 
 SIDEWAYS = ("XEP", "XP", "XC", "XCC", "XOppC", "XOppP", "XOppEP")

@@ -15,7 +15,7 @@ from typing import Annotated
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from ...errors import did_you_mean
-from .mistakes import AnnotationError, AnnotationMistake
+from .model import AnnotationError, AnnotationMistake
 from .tracks import LABELS, PHRASE_ATTRIBUTES, Track, TrackSpan, decoded, track_name, track_of
 
 COLUMNS = ("track", "start_s", "end_s", "label")

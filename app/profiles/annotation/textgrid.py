@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from math import isfinite
 from pathlib import Path
 
-from .mistakes import AnnotationError, AnnotationMistake
+from .model import AnnotationError, AnnotationMistake
 from .tracks import Track, TrackSpan, decoded, track_of
 
 _TOKEN = re.compile(r'"(?:[^"]|"")*"|[^\s"]+')

@@ -20,7 +20,7 @@ from typing import Generic, TypeVar
 
 from lxml import etree
 
-from .mistakes import AnnotationError, AnnotationMistake
+from .model import AnnotationError, AnnotationMistake
 
 Thing = TypeVar("Thing")
 

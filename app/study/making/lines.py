@@ -10,8 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...batch.matching import find_recordings
-from ...batch.planning import plan_batch, without_audio
-from ...batch.request import BatchRequest
+from ...batch.planning import BatchRequest, plan_batch, without_audio
 from ...batch.work.jobs import LineJob
 from ...errors import InputError
 from ...model import Line

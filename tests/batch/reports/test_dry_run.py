@@ -6,9 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from understudy.batch.planning import plan_batch
+from understudy.batch.planning import BatchRequest, plan_batch
 from understudy.batch.reports.dry_run import dry_run
-from understudy.batch.request import BatchRequest
 from understudy.batch.work.formats import LineFormat
 from understudy.model.formats import MotionFormat
 

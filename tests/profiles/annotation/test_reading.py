@@ -9,8 +9,7 @@ from tests.support.annotations import SPARING, SWEEPING, small_tracks
 from understudy.errors import UnsupportedFormatError
 from understudy.model import Hand
 from understudy.profiles.annotation.elan import write_elan
-from understudy.profiles.annotation.mistakes import AnnotationError
-from understudy.profiles.annotation.model import PathForm, Position, Swivel
+from understudy.profiles.annotation.model import AnnotationError, PathForm, Position, Swivel
 from understudy.profiles.annotation.reading import annotation_of, read_annotations
 from understudy.profiles.annotation.tables import write_json_tracks
 from understudy.profiles.annotation.tracks import Track, TrackSpan, rows_of, with_attribute_tracks

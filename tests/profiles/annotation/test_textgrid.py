@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from understudy.profiles.annotation.mistakes import AnnotationError
+from understudy.profiles.annotation.model import AnnotationError
 from understudy.profiles.annotation.textgrid import read_textgrid
 
 LONG = """File type = "ooTextFile"

@@ -12,7 +12,7 @@ from typing import Literal
 
 from tests.support.batches import ThisProcess
 from understudy.batch.batch import Nobody, run_batch
-from understudy.batch.request import BatchRequest
+from understudy.batch.planning import BatchRequest
 from understudy.batch.work.formats import formats_named
 from understudy.batch.work.jobs import MotionForm
 from understudy.files import resource_folder

@@ -4,7 +4,7 @@ from threading import Barrier, Thread
 
 import pytest
 
-from understudy.on_demand import OnDemand
+from understudy.loading import OnDemand
 
 
 def test_it_is_made_when_first_asked_for_and_once_for_all_threads() -> None:
