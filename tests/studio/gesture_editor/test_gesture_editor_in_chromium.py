@@ -5,7 +5,7 @@ from base64 import b64decode
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page
+from playwright.sync_api import Page, expect
 
 from tests.studio.support.accessibility import serious_findings
 from tests.studio.support.waiting import wait_until
@@ -119,7 +119,8 @@ def test_what_makes_no_sense_cannot_be_chosen(editor: Page) -> None:
     possible = {fingers.nth(k).get_attribute("data-direction") or "" for k in range(fingers.count())}
     assert {"Away", "Inwards", "Outwards", "Towards"} <= possible
     assert not any("Up" in name or "Down" in name for name in possible)
-    editor.select_option("#hand-form", "symbol_pinch")
+    editor.select_option("#hand-form", label="Pinch, other fingers closed")
+    expect(editor.locator("#hand-form")).to_have_attribute("title", "symbol_pinch in the gesture’s text")
     editor.wait_for_selector("#hand-thumb:disabled")
     editor.focus(".key-time >> nth=0")
     assert "hold" not in editor.inner_text("#frame-type")

@@ -13,6 +13,13 @@ import { redraw } from "../redrawing.js";
 /** @typedef {NonNullable<GestureArm["hand"]>} Hand */
 
 const OPEN = "";
+/** What forms are called whose names in the language are no words. @type {Readonly<Record<string, string>>} */
+const FORMS = Object.freeze({
+  symbol_1: "One finger", symbol_2: "Two fingers together", symbol_2apart: "Two fingers apart",
+  symbol_pinch: "Pinch, other fingers closed", symbol_pinchall: "Pinch, all fingers", symbol_pinchopen: "Pinch, other fingers open",
+  symbol_cee: "C, other fingers closed", symbol_ceeall: "C, all fingers", symbol_ceeopen: "C, other fingers open",
+});
+
 /** @type {Readonly<Record<string, string>>} */
 const THUMBS = Object.freeze({ default: "Auto", open: "Beside the index finger", out: "Out", across: "Across" });
 
@@ -37,11 +44,12 @@ export function handForm(store) {
  */
 function shape(store, language, { hand }) {
   const put = (/** @type {Hand | null | undefined} */ made) => change(store, "Form of the hand", { hand: made ? possibleHand(language, made) : undefined });
-  const forms = /** @type {[string, string][]} */ ([[OPEN, "Not set"], ...language.forms.map(({ name }) => [name, readable(name)])]);
+  const forms = /** @type {[string, string][]} */ ([[OPEN, "Not set"], ...language.forms.map(({ name }) => [name, FORMS[name] ?? readable(name)])]);
   const form = choice(forms, hand?.form ?? OPEN, (name) =>
     put(name === OPEN ? undefined : /** @type {Hand} */ ({ thumb: "default", ...hand, form: name })),
   );
   form.id = "hand-form";
+  form.title = hand ? `${hand.form} in the gesture’s text` : "The form of the hand";
   const free = hand ? thumbsOf(language, hand.form) : [];
   const thumb = choice(free.map((name) => [name, THUMBS[name] ?? name]), hand?.thumb ?? "default", (name) =>
     put(hand && /** @type {Hand} */ ({ ...hand, thumb: name })),
