@@ -3,11 +3,12 @@
     python -m training.acting.thresholds CASES.pkl [--weights models/acting/weights.json]
 
 CASES are those of `training/acting/held_out.py`: lines that the reader was not trained on, by their words alone and as
-they were heard. Movements are to be made rather than missed. Those that say something of their own, a shake, a smile or
-a frown, say the contrary of what is meant where they are wrong: they are made where their F is best, if they are right
-often enough and, of faces, no more are made than are asked for. Prints, for each kind and way of giving a line, how
-many stretches of lines have it and how many of them get it, and how many of those that get it have it; and writes the
-thresholds among the weights.
+they were heard; those of them count that two directors read. As in score.py, what both name is asked for, and what
+either names is right. Movements are to be made rather than missed. Those that say something of their own, a shake, a
+smile or a frown, say the contrary of what is meant where they are wrong: they are made where their F is best, if they
+are right often enough and, of faces, no more are made than either director has. Prints, for each kind and way of giving
+a line, how many stretches of lines have it and how many of them get it, and how many of those that get it have it; and
+writes the thresholds among the weights.
 """
 
 import argparse
@@ -16,15 +17,20 @@ import pickle
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TypeAlias
 
 import numpy as np
 
 from understudy.behavior.reading.decoding import stretch_level, stretches_of
 from understudy.behavior.reading.encoder import Delivery, Encoder
-from understudy.model import FloatArray, SingleArray
+from understudy.model import SingleArray
 
 from .cases import Case
 from .directed import FACE, FAMILIES, HEAD, DirectedLine, targets_of
+from .second_readings import second_readings
+
+Pair: TypeAlias = tuple[DirectedLine, DirectedLine]
+"""A line as two directors read it."""
 
 READ_AS = {"squint": "frown"}
 """What an audience reads in a face, where that is not what it is called."""
@@ -32,58 +38,57 @@ READ_AS = {"squint": "frown"}
 LEAST_LIKELY = {"head": 0.15, "face": 0.11}
 """No movement is made that is less likely wanted: it would be one among many that mean nothing."""
 
-NO_MORE_THAN_ASKED = frozenset(("smile", "frown", "squint", "sad", "disgust"))
-"""Faces of which no more are made than are asked for, so that as many of those made are right as of those asked for are
-made, as it is with two directors."""
+NO_MORE_THAN_NAMED = frozenset(("smile", "frown", "squint", "sad", "disgust"))
+"""Faces of which no more are made than either director names."""
 
 NEVER = 0.9
 FEWEST = 10
 """On fewer stretches than this nothing can be told."""
 
-BETA = 2.0
-"""How much more it matters that a movement is made than that every director wants it."""
+BETA = 3.0
+"""How much more it matters that a movement is made than that a director wants it."""
 
 LEAST_RIGHT = {
-    "shake": 0.6,
+    "shake": 0.7,
     "still": 0.5,
-    **dict.fromkeys(("smile", "frown", "squint", "sad", "disgust"), 1 / 3),
+    **dict.fromkeys(("smile", "frown", "squint", "sad", "disgust"), 0.5),
 }
-"""How often movements that say something of their own must be what the one director wanted. Of two directors who each
-name a face, the second names some two fifths of the first's; of three, another one wants most of the others. A wrong
-shake denies what is said."""
+"""How often movements that say something of their own must be what either director wanted. A wrong shake denies what is
+said."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Stretches:
-    """Of all stretches of the lines (N), how likely each kind is (N, K) and whether it was asked for (N, K)."""
+    """Of all stretches of the lines (N), how likely each kind is (N, K), whether both directors ask for it (N, K), and
+    whether either does (N, K)."""
 
     kinds: tuple[str, ...]
     level: SingleArray
     asked: SingleArray
+    named: SingleArray
 
 
-def stretches(lines: Sequence[DirectedLine], readings: Mapping[str, SingleArray], channel: str) -> Stretches:
-    """The stretches of lines, on the channel `head` or `face`."""
+def stretches(pairs: Sequence[Pair], readings: Mapping[str, SingleArray], channel: str) -> Stretches:
+    """The stretches of lines with two readings, on the channel `head` or `face`."""
     kinds, first = (HEAD, 0) if channel == "head" else (FACE, len(HEAD))
     first += 2 * len(FAMILIES) + 1
-    levels, asked = [], []
-    for line in lines:
-        likely = readings[line.name][:, first : first + len(kinds)]
-        wanted = targets_of(line).head if channel == "head" else targets_of(line).face
-        for begin, end in stretches_of(line.words):
+    levels, asked, named = [], [], []
+    for pair in pairs:
+        likely = readings[pair[0].name][:, first : first + len(kinds)]
+        wanted = [getattr(targets_of(line), channel) for line in pair]
+        for begin, end in stretches_of(pair[0].words):
             levels.append(stretch_level(likely[begin : end + 1]))
-            asked.append(wanted[begin : end + 1].max(axis=0))
+            one, other = (each[begin : end + 1].max(axis=0) for each in wanted)
+            asked.append(np.minimum(one, other))
+            named.append(np.maximum(one, other))
     read_as = [kinds.index(READ_AS.get(kind, kind)) for kind in kinds]
-    return Stretches(kinds, np.stack(levels), np.stack(asked)[:, read_as])
+    return Stretches(kinds, np.stack(levels), np.stack(asked)[:, read_as], np.stack(named)[:, read_as])
 
 
-def thresholds(lines: Sequence[DirectedLine], readings: Mapping[str, SingleArray], channel: str) -> dict[str, float]:
+def thresholds(pairs: Sequence[Pair], readings: Mapping[str, SingleArray], channel: str) -> dict[str, float]:
     """The thresholds of all kinds of a channel."""
-    found = stretches(lines, readings, channel)
-    return {
-        kind: _threshold(kind, LEAST_LIKELY[channel], found.level[:, place], found.asked[:, place])
-        for place, kind in enumerate(found.kinds)
-    }
+    found = stretches(pairs, readings, channel)
+    return {kind: _threshold(found, place, LEAST_LIKELY[channel]) for place, kind in enumerate(found.kinds)}
 
 
 def read_readings(path: Path) -> dict[str, SingleArray]:
@@ -92,41 +97,49 @@ def read_readings(path: Path) -> dict[str, SingleArray]:
         return {name: stored[name].astype(np.float32) for name in stored.files}
 
 
-def _threshold(kind: str, least: float, likely: FloatArray, wanted: FloatArray) -> float:
-    """The level (N,) of a stretch from which a movement is made: with F_beta on stretches at its best, for a toned one
-    with F, where it is right often enough; never where it is not."""
+def _threshold(found: Stretches, place: int, least: float) -> float:
+    """The level of a stretch from which a movement is made: with F_beta on stretches at its best, for a toned one with
+    F, where it is right often enough; never where it is not."""
+    kind, asked, named = found.kinds[place], found.asked[:, place], found.named[:, place]
     beta = 1.0 if kind in LEAST_RIGHT else BETA
     best = (0.0, NEVER)
     for threshold in np.arange(least, NEVER, 0.02):
-        made = likely >= threshold
-        right = float((made * wanted).sum())
-        if right < LEAST_RIGHT.get(kind, 0.0) * made.sum() or made.sum() < FEWEST:
+        made = found.level[:, place] >= threshold
+        right, done = (
+            float((made * named).sum()) / max(made.sum(), 1),
+            float((made * asked).sum()) / max(asked.sum(), 1),
+        )
+        if right < LEAST_RIGHT.get(kind, 0.0) or made.sum() < FEWEST:
             continue
-        if kind in NO_MORE_THAN_ASKED and made.sum() > wanted.sum():
+        if kind in NO_MORE_THAN_NAMED and made.sum() > named.sum():
             continue
-        score = (1 + beta**2) * right / max(beta**2 * wanted.sum() + made.sum(), 1e-9)
+        score = (1 + beta**2) * right * done / max(beta**2 * right + done, 1e-9)
         best = max(best, (score, float(threshold)))
     return round(best[1], 2)
 
 
-def readings_of(cases: Sequence[Case], encoder: Encoder) -> tuple[list[DirectedLine], dict[str, SingleArray]]:
-    """The cases as lines with names of their own, and what is read of each (W, outputs)."""
-    lines, readings = [], {}
+def readings_of(cases: Sequence[Case], encoder: Encoder) -> tuple[list[Pair], dict[str, SingleArray]]:
+    """The cases that were read twice, as lines with names of their own, and what is read of each (W, outputs)."""
+    pairs, readings = [], {}
     for case in cases:
         utterance = case.analysis.utterance
         read = encoder.read([word.text for word in utterance.words], Delivery.of(utterance))
         line = replace(case.line, name=f"{case.line.name}, {case.way}")
         parts = (read.at_word, read.nearby, read.stroke[:, None], read.head, read.face, read.gaze)
-        lines.append(line)
+        pairs.append((line, replace(line, reading=second_readings()[case.line.name])))
         readings[line.name] = np.concatenate(parts, axis=1)
-    return lines, readings
+    return pairs, readings
 
 
 def _tell(found: Stretches, chosen: Mapping[str, float], way: str) -> None:
     for place, kind in enumerate(found.kinds):
-        made, asked = found.level[:, place] >= chosen[kind], found.asked[:, place] > 0
-        done, right = (made & asked).sum() / max(asked.sum(), 1), (made & asked).sum() / max(made.sum(), 1)
-        print(f"{way}, {kind:12} from {chosen[kind]:.2f}: {asked.sum():4} asked, done {done:.2f}, right {right:.2f}")
+        made, asked = found.level[:, place] >= chosen[kind], found.asked[:, place]
+        done = (made * asked).sum() / max(asked.sum(), 1)
+        right = (made * found.named[:, place]).sum() / max(made.sum(), 1)
+        print(
+            f"{way}, {kind:12} from {chosen[kind]:.2f}: {asked.sum():4.0f} asked, done {done:.2f}; "
+            f"{made.sum():4} made, right {right:.2f}"
+        )
 
 
 def main() -> None:
@@ -134,13 +147,14 @@ def main() -> None:
     parser.add_argument("cases", type=Path)
     parser.add_argument("--weights", type=Path, default=Path("models/acting/weights.json"))
     arguments = parser.parse_args()
-    cases: list[Case] = pickle.loads(arguments.cases.read_bytes())
-    lines, readings = readings_of(cases, Encoder.load(arguments.weights.parent / "encoder.onnx"))
+    twice = second_readings()
+    cases = [case for case in pickle.loads(arguments.cases.read_bytes()) if case.line.name in twice]
+    pairs, readings = readings_of(cases, Encoder.load(arguments.weights.parent / "encoder.onnx"))
     written = json.loads(arguments.weights.read_text(encoding="utf-8"))
     for channel in ("head", "face"):
-        written[channel] = thresholds(lines, readings, channel)
+        written[channel] = thresholds(pairs, readings, channel)
         for way in dict.fromkeys(case.way for case in cases):
-            own = [line for line, case in zip(lines, cases, strict=True) if case.way == way]
+            own = [pair for pair, case in zip(pairs, cases, strict=True) if case.way == way]
             _tell(stretches(own, readings, channel), written[channel], way)
     arguments.weights.write_text(json.dumps(written, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 

@@ -128,15 +128,15 @@ def price_of(lines: Sequence[DirectedLine], worths: Sequence[Worth]) -> float:
 
 
 def card(lines: Sequence[DirectedLine], readings: Mapping[str, SingleArray], examples: Examples) -> dict[str, object]:
-    """All that models/acting/weights.json holds."""
-    model = fitted(examples)
+    """All that models/acting/weights.json holds. Read once, a line is taken as read twice alike."""
+    model, pairs = fitted(examples), [(line, line) for line in lines]
     return {
         "families": list(FAMILIES),
         "reading": round(model.reading, 4),
         "bias": {family: round(float(bias), 3) for family, bias in zip(FAMILIES, model.bias, strict=True)},
         "price": price_of(lines, [each for each, _ in lexeme_worths(lines, readings, model.worth(examples))]),
-        "head": thresholds(lines, readings, "head"),
-        "face": thresholds(lines, readings, "face"),
+        "head": thresholds(pairs, readings, "head"),
+        "face": thresholds(pairs, readings, "face"),
         "terms": {
             name: {
                 family: round(float(weight), 2)
