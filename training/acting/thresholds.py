@@ -35,7 +35,7 @@ Pair: TypeAlias = tuple[DirectedLine, DirectedLine]
 READ_AS = {"squint": "frown"}
 """What an audience reads in a face, where that is not what it is called."""
 
-LEAST_LIKELY = {"head": 0.15, "face": 0.11}
+LEAST_LIKELY = {"head": 0.14, "face": 0.1}
 """No movement is made that is less likely wanted: it would be one among many that mean nothing."""
 
 NO_MORE_THAN_NAMED = frozenset(("smile", "frown", "squint", "sad", "disgust"))
