@@ -15,9 +15,8 @@ from understudy.realizer.gestures.gesture import Depth, HeightSector, SectorPlac
 from understudy.realizer.gestures.gesture_space import sector_m
 from understudy.schemas.gestures.script import read_script
 
-NEAR_M = 0.1
-"""Ribs that turn by 15° take a hand .36 m before them 9 cm aside, and the body leans a little: sectors are those of the
-body at rest."""
+NEAR_M = 0.09
+"""Half of the distance between sectors: the body turns and leans a little while the hand moves."""
 
 
 def _gesture(name: str = "g1", begin_s: float = 1.0, **said: Any) -> dict[str, Any]:  # noqa: ANN401 - JSON
