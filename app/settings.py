@@ -1,12 +1,12 @@
 """The settings of an operator, from the environment (`UNDERSTUDY_…`); docs/settings.md lists them all."""
 
 import os
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 from types import MappingProxyType
 from typing import Literal
 
-import psutil
 from pydantic import BaseModel, ConfigDict, Field, SecretStr, ValidationError, field_validator, model_validator
 
 from .authored_folders import layers_of
@@ -220,12 +220,12 @@ class Settings(BaseModel):
     @property
     def worker_count(self) -> int:
         """The number of worker processes."""
-        return self.workers or len(psutil.Process().cpu_affinity() or ()) or 1
+        return self.workers or processor_count()
 
     @property
     def live_stream_count(self) -> int:
         """The most live streams at the same time."""
-        return 8 * (len(psutil.Process().cpu_affinity() or ()) or 1) if self.live_streams is None else self.live_streams
+        return 8 * processor_count() if self.live_streams is None else self.live_streams
 
     @property
     def live_streams_each(self) -> int:
@@ -261,6 +261,13 @@ class Settings(BaseModel):
     def queue_length(self) -> int:
         """The most requests that may wait."""
         return 4 * self.worker_count if self.queue is None else self.queue
+
+
+def processor_count() -> int:
+    """The processors that this process may use; all of them where the system sets no limit."""
+    if sys.platform == "linux":
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
 
 
 def read_settings() -> Settings:

@@ -3,11 +3,12 @@
 Responses about authored resources are in `understudy.schemas.library`.
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
-from typing import Self
+from typing import TYPE_CHECKING, Self
 
-from ..bml.writing.writer import SpeechFile
 from ..errors import UnderstudyError
 from ..model import AlignedLine, Analysis, Contours, Function, Level, Notice, Performance, SignalAnalysis, Utterance
 from .line_parts import (
@@ -28,6 +29,9 @@ from .line_parts import (
     WordResponse,
 )
 from .response_model import Number, ResponseModel
+
+if TYPE_CHECKING:
+    from ..bml.writing.writer import SpeechFile
 
 
 class StatusResponse(ResponseModel):

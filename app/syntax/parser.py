@@ -7,11 +7,12 @@ imported with the first pipeline, to save memory and time where nothing is parse
 The parser is told where sentences begin, since parsers find that badly in unpunctuated speech (F about 40): at
 punctuation or, in a line without any, after long pauses. In a punctuated line a pause is a hesitation and ends nothing.
 
-Pipelines are loaded in less than half of the time that spaCy takes, for two things are left out that no pipeline needs
-to parse. `import spacy` brings its command line with it, and with that five HTTP, terminal and template libraries, a
-third of the time: here an empty module replaces it until the import is over, after which `spacy.cli` can be
-imported as usual. And a tokenizer is first made with all the exceptions of its language, which are then replaced by
-those of the pipeline's folder: here it begins with none.
+Pipelines are loaded in less than half of the time that spaCy takes, because three things are left out that no pipeline
+needs to parse. `import spacy` brings its command line with it, and with that five HTTP, terminal and template
+libraries, a third of the time: here an empty module replaces it until the import is over, after which `spacy.cli` can
+be imported as usual. A tokenizer is first made with all the exceptions of its language, which are then replaced by
+those of the pipeline's folder: here it begins with none. And spaCy's registries search all installed entry points a
+hundred times: here they look them up.
 """
 
 from __future__ import annotations
@@ -48,6 +49,7 @@ def load_pipeline(where: Path | str, *, without: tuple[str, ...]) -> Language:
 
     Raises what spaCy raises: OSError, ValueError, ImportError, LookupError.
     """
+    _group_entry_points()
     with _no_command_line():
         import spacy
     changes = {"nlp.tokenizer": _no_exceptions_yet()} if _brings_its_exceptions(Path(where)) else {}
@@ -85,6 +87,15 @@ def _no_command_line() -> Iterator[None]:
     finally:
         for name in absent:
             del sys.modules[name]
+
+
+def _group_entry_points() -> None:
+    """Groups the installed entry points for spaCy's registries, which accept such a mapping too."""
+    import catalogue  # type: ignore[import-untyped]
+
+    found = catalogue.AVAILABLE_ENTRY_POINTS
+    if hasattr(found, "select"):
+        catalogue.AVAILABLE_ENTRY_POINTS = {group: found.select(group=group) for group in found.groups}
 
 
 def _info(*arguments: Any, **options: Any) -> object:  # noqa: ANN401  # whatever it takes

@@ -5,10 +5,12 @@ import shutil
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from importlib.metadata import entry_points
 from pathlib import Path
 
 import pytest
 import spacy
+from spacy.util import registry
 
 from understudy.errors import ServiceError
 from understudy.files import resource_folder
@@ -44,6 +46,13 @@ def test_a_spacy_that_was_imported_before_stays_as_it_is() -> None:
         "print(json.dumps([sys.modules['spacy.cli'] is before]))"
     )
     assert _in_a_new_process(code) == [True]
+
+
+def test_spacys_registries_find_all_that_is_installed() -> None:
+    load_pipeline(PARSER, without=())
+    installed = {each.name for each in entry_points(group="spacy_loggers")}
+    assert installed
+    assert set(registry.loggers.get_entry_points()) == installed
 
 
 def test_it_cuts_tokens_as_spacy_loads_it() -> None:

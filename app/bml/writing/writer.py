@@ -16,7 +16,6 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
-from xml.sax.saxutils import escape
 
 from ...model import Listening, Notice, Parse, Performance
 from ...model.formats import CORE_FORM, BmlForm, DialectName, TimeForm
@@ -55,7 +54,7 @@ def _write(pieces: list[str], element: Element, kind: ElementKind | None, *, nam
     in_lines = kind is not None and not kind.free and not any(isinstance(part, str) for part in element.content)
     for part in element.content:
         if isinstance(part, str):
-            pieces.append(escape(_writable(part)))
+            pieces.append(_escaped(part))
         else:
             pieces.append(margin + _INDENT if in_lines else "")
             inside = kind.parts.get(part.name) if kind else None
@@ -94,11 +93,13 @@ def _split(qualified: str) -> tuple[str, str]:
 
 
 def _quoted(text: str) -> str:
-    return text if _PLAIN.fullmatch(text) else escape(_writable(text), {'"': "&quot;"})
+    return text if _PLAIN.fullmatch(text) else _escaped(text).replace('"', "&quot;")
 
 
-def _writable(text: str) -> str:
-    return _UNWRITABLE.sub("\ufffd", text)
+def _escaped(text: str) -> str:
+    """The text between tags. The standard library's `escape` would import its HTTP client too."""
+    writable = _UNWRITABLE.sub("\ufffd", text)
+    return writable.replace("&", "&amp;").replace(">", "&gt;").replace("<", "&lt;")
 
 
 @dataclass(frozen=True, slots=True)
