@@ -20,6 +20,7 @@ from .workers.limits import Deadline
 from .workers.messages import Job, Task
 from .workers.pool import Pool
 from .workers.streams import Streams
+from .workers.turns import Caller
 
 Result = TypeVar("Result")
 
@@ -70,10 +71,10 @@ async def answered(request: Request, service: Service, job: Job, body: bytes) ->
     return bytes(content)
 
 
-def _admitted(request: Request, service: Service) -> str:
-    """The name of the caller, for whom there is a place."""
+def _admitted(request: Request, service: Service) -> Caller:
+    """The caller, for whom there is a place."""
     service.rates.take(request.client.host if request.client else "")
-    caller = f"{caller_of(request)} {request.headers.get('x-request-id', '')[:64]}"
+    caller = Caller(caller_of(request), request.headers.get("x-request-id", "")[:64])
     service.pool.require_place(caller)
     return caller
 

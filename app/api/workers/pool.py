@@ -1,4 +1,4 @@
-"""The pool of workers, with a short queue, and the replacement of workers that hang or die.
+"""The pool of workers, with a short queue (`Places`), and the replacement of workers that hang or die.
 
 A job that exceeds its deadline, whose client has gone, or that runs when the service stops is cancelled by killing its
 worker; another is forked. If a worker is lost through no fault of its job (killed, its aligner stopped), the job, which
@@ -16,8 +16,9 @@ from ...errors import ServiceError, UnderstudyError
 from ...settings import Settings
 from .limits import Deadline, too_large
 from .messages import Answer, Content, Job, JobFailure
+from .places import Places
 from .processes import Nursery, Worker, WorkerLostError, WorkerState, is_stopped, look, wait_until_gone
-from .turns import ServiceTimes, Turns
+from .turns import Caller, ServiceTimes
 
 _LOGGER = logging.getLogger(__name__)
 JOBS_A_WORKER = 1000
@@ -35,6 +36,8 @@ _LOST = frozenset({"aligner_crashed"})
 _SPENT = frozenset({"work_too_large"})
 """Error codes after which a worker is replaced, because its memory may not be free for the next job."""
 
+NOBODY = Caller()
+
 
 class Pool:
     """Runs jobs in worker processes. Belongs to the event loop that entered it."""
@@ -46,12 +49,11 @@ class Pool:
         self._settings = settings
         self._idle: deque[Worker] = deque()
         self._busy: set[Worker] = set()
-        self._waiting: deque[asyncio.Future[Worker]] = deque()
+        self._places = Places[Worker](settings.queue_length)
         self._making: set[asyncio.Task[None]] = set()
         self._running: set[asyncio.Task[tuple[Answer, bytearray]]] = set()
         self._retired: set[int] = set()
         self._times = ServiceTimes()
-        self._turns = Turns()
         self._renewing: asyncio.Task[None] | None = None
         self._dividing: asyncio.Task[None] | None = None
         self._watch: asyncio.Task[None] | None = None
@@ -89,7 +91,7 @@ class Pool:
     @property
     def waiting(self) -> int:
         """The number of jobs that wait for a worker."""
-        return len(self._waiting)
+        return len(self._places)
 
     @property
     def _missing(self) -> int:
@@ -101,14 +103,11 @@ class Pool:
         """An estimate of when all current jobs will be done, from recent durations."""
         return self._times.mean_s * (self.busy + self.waiting) / self._settings.worker_count
 
-    def require_place(self, caller: str = "") -> None:
-        """Raises ServiceError `service_full` if this caller's job may not wait, `service_stopping`. Up to half of the
-        queue is reserved for callers that were refused before."""
+    def require_place(self, caller: Caller = NOBODY) -> None:
+        """Raises ServiceError `service_full` if this caller's job may not wait, `service_stopping`."""
         if self._is_stopping:
             raise _stopping()
-        length = self._settings.queue_length
-        free = length + self._missing - self.waiting
-        if not self._idle and free <= min(self._turns.before(caller), length // 2):
+        if not self._places.has_room(caller, self._missing) and not self._idle:
             raise self._full(caller)
 
     async def trouble(self) -> str | None:
@@ -123,14 +122,16 @@ class Pool:
             stopped.append(f"{self._missing} of {self._settings.worker_count} workers are being started")
         return "; ".join(stopped) or None
 
-    async def run(self, job: Job, content: Content, deadline: Deadline, caller: str = "") -> tuple[Answer, bytearray]:
+    async def run(
+        self, job: Job, content: Content, deadline: Deadline, caller: Caller = NOBODY
+    ) -> tuple[Answer, bytearray]:
         """The answer to a job, and its body. Cancelling this stops the job.
 
         Raises the job's error, and ServiceError: `service_full`, `service_stopping`, `deadline_passed`,
         `worker_lost`.
         """
         self.require_place(caller)
-        self._turns.take(caller)
+        self._places.turns.take(caller)
         task = asyncio.create_task(self._tried(job, content, caller))
         self._running.add(task)
         task.add_done_callback(self._running.discard)
@@ -160,14 +161,14 @@ class Pool:
         while self._idle:
             self._dismiss(self._idle.pop())
 
-    async def _tried(self, job: Job, content: Content, caller: str) -> tuple[Answer, bytearray]:
+    async def _tried(self, job: Job, content: Content, caller: Caller) -> tuple[Answer, bytearray]:
         for _ in range(1 + _RETRIES):
             with suppress(WorkerLostError):
                 return await self._done(job, content, caller)
             _LOGGER.warning("a worker was lost while it worked")
         raise ServiceError("worker_lost", "the worker process ended; try again", retry_after_s=self.retry_after_s)
 
-    async def _done(self, job: Job, content: Content, caller: str) -> tuple[Answer, bytearray]:
+    async def _done(self, job: Job, content: Content, caller: Caller) -> tuple[Answer, bytearray]:
         worker = await self._taken(caller)
         began_s = asyncio.get_running_loop().time()
         try:
@@ -185,32 +186,26 @@ class Pool:
             raise WorkerLostError
         raise answer.error
 
-    async def _taken(self, caller: str) -> Worker:
+    async def _taken(self, caller: Caller) -> Worker:
         """A free worker. Raises ServiceError `service_full` after waiting too long."""
         while self._idle and self._idle[0].has_ended:
             self._dismiss(self._idle.popleft())
-        worker = await self._queued(caller) if self._waiting or not self._idle else self._idle.popleft()
+        worker = await self._queued(caller) if self._places or not self._idle else self._idle.popleft()
         self._busy.add(worker)
         return worker
 
-    async def _queued(self, caller: str) -> Worker:
-        place: asyncio.Future[Worker] = asyncio.get_running_loop().create_future()
-        self._waiting.append(place)
-        try:
-            async with asyncio.timeout(self._settings.queue_s):
-                return await place
-        except BaseException as error:
-            self._leave_queue(place)
-            if isinstance(error, TimeoutError):
-                raise self._full(caller) from None
-            raise
-
-    def _leave_queue(self, place: "asyncio.Future[Worker]") -> None:
-        with suppress(ValueError):
-            self._waiting.remove(place)
-        if place.done() and not place.cancelled():
-            self._busy.discard(place.result())
-            self._offer(place.result())
+    async def _queued(self, caller: Caller) -> Worker:
+        with self._places.place(caller.client) as given:
+            try:
+                async with asyncio.timeout(self._settings.queue_s):
+                    return await given
+            except BaseException as error:
+                if given.done() and not given.cancelled():
+                    self._busy.discard(given.result())
+                    self._offer(given.result())
+                if isinstance(error, TimeoutError):
+                    raise self._full(caller) from None
+                raise
 
     def _give_back(self, worker: Worker, *, is_spent: bool) -> None:
         self._busy.discard(worker)
@@ -220,15 +215,14 @@ class Pool:
             self._offer(worker)
 
     def _offer(self, worker: Worker) -> None:
-        """Gives the worker to the longest waiting job, or marks it idle: who worked last is first, for it may know the
+        """Gives the worker to the job that is next, or marks it idle: who worked last is first, for it may know the
         next job's line (`KnownLines`)."""
-        while self._waiting:
-            place = self._waiting.popleft()
-            if not place.done():
-                self._busy.add(worker)
-                place.set_result(worker)
-                return
-        self._idle.appendleft(worker)
+        given = self._places.next()
+        if given is None:
+            self._idle.appendleft(worker)
+        else:
+            self._busy.add(worker)
+            given.set_result(worker)
 
     def _dismiss(self, worker: Worker) -> None:
         """Ends a worker and starts another."""
@@ -276,10 +270,10 @@ class Pool:
         finally:
             self._renewing = None
 
-    def _full(self, caller: str) -> ServiceError:
+    def _full(self, caller: Caller) -> ServiceError:
         message = f"{self.busy} requests are being processed and {self.waiting} wait; try again later"
         again_after_s = max(self.retry_after_s, self._times.mean_s)
-        self._turns.keep(caller, again_after_s)
+        self._places.turns.keep(caller, again_after_s)
         return ServiceError("service_full", message, retry_after_s=again_after_s)
 
     async def _keep_watch(self) -> None:

@@ -1,14 +1,19 @@
 """When refused callers should retry, and who is served first when they do: their place in the queue is kept meanwhile.
 
 A caller has a turn from its first refusal until it is accepted, and keeps its place if it is refused again. A caller
-that does not return within `KEPT_S` of the time it was given loses it.
+that does not return within `KEPT_S` of the time it was given loses it. Turns belong to clients: whoever gives each
+request another name gets many turns, but its second comes after everybody's first.
 """
 
 import math
 import time
 from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import count
 
-MOST_KEPT = 1000
+MOST_CLIENTS, MOST_EACH = 1000, 32
+"""Turns are kept of so many clients, and for so many requests of each."""
+
 KEPT_S = 3.0
 
 _WEIGHT = 0.1
@@ -17,37 +22,72 @@ _WEIGHT = 0.1
 _FIRST_GUESS_S = 0.5
 
 
+@dataclass(frozen=True, slots=True)
+class Caller:
+    """Who asks: a client, by what it cannot choose anew each time (its key, else its address), and what it calls its
+    request."""
+
+    client: str = ""
+    request: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class _Turn:
+    """`first` is the number of the refusal that began it."""
+
+    first: int
+    due_s: float
+
+
 class Turns:
     """The refused callers in the order of their first requests, with the times at which they should retry."""
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock = clock
-        self._due_s: dict[str, float] = {}
+        self._kept: dict[str, dict[str, _Turn]] = {}
+        self._numbers = count()
 
-    def keep(self, caller: str, again_after_s: float) -> None:
+    def keep(self, caller: Caller, again_after_s: float) -> None:
         """Records a refused caller; Retry-After has whole seconds."""
         self._forget()
-        if caller in self._due_s or len(self._due_s) < MOST_KEPT:
-            self._due_s[caller] = self._clock() + max(1, math.ceil(again_after_s))
+        if caller.client not in self._kept and len(self._kept) >= MOST_CLIENTS:
+            return
+        turns = self._kept.setdefault(caller.client, {})
+        earlier = turns.get(caller.request)
+        if earlier or len(turns) < MOST_EACH:
+            due_s = self._clock() + max(1, math.ceil(again_after_s))
+            turns[caller.request] = _Turn(earlier.first if earlier else next(self._numbers), due_s)
 
-    def take(self, caller: str) -> None:
+    def take(self, caller: Caller) -> None:
         """Ends the caller's turn: it is accepted."""
-        self._due_s.pop(caller, None)
+        turns = self._kept.get(caller.client, {})
+        turns.pop(caller.request, None)
+        if not turns:
+            self._kept.pop(caller.client, None)
 
-    def before(self, caller: str) -> int:
-        """How many others come first: callers due by now whose first request was earlier."""
+    def before(self, caller: Caller) -> int | None:
+        """How many others come first, of those who are due; None if the caller is not, and comes after all of them.
+        Everybody's first turn comes before anybody's second, and so on, each in the order of the first requests."""
         self._forget()
-        count, now_s = 0, self._clock()
-        for other, due_s in self._due_s.items():
-            if other == caller:
-                break
-            count += due_s <= now_s
-        return count
+        mine = self._kept.get(caller.client, {}).get(caller.request)
+        if mine is None or mine.due_s > self._clock():
+            return None
+        ranks = {client: self._due(client) for client in self._kept}
+        rank = ranks.pop(caller.client).index(mine.first)
+        earlier = sum(each < mine.first for due in ranks.values() for each in due[rank : rank + 1])
+        return rank + sum(min(len(due), rank) for due in ranks.values()) + earlier
+
+    def _due(self, client: str) -> list[int]:
+        """The client's turns that are due, in the order of their first requests."""
+        now_s = self._clock()
+        return sorted(turn.first for turn in self._kept[client].values() if turn.due_s <= now_s)
 
     def _forget(self) -> None:
         until_s = self._clock() - KEPT_S
-        for caller in [each for each, due_s in self._due_s.items() if due_s < until_s]:
-            del self._due_s[caller]
+        for client, turns in list(self._kept.items()):
+            self._kept[client] = kept = {name: turn for name, turn in turns.items() if turn.due_s >= until_s}
+            if not kept:
+                del self._kept[client]
 
 
 class ServiceTimes:

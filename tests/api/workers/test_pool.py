@@ -15,9 +15,10 @@ from tests.support.jobs import LONG, LONG_BML, SHORT, SHORT_TEXT
 from understudy.api.workers.limits import Deadline
 from understudy.api.workers.messages import Answer
 from understudy.api.workers.nursery import IDLE_S
-from understudy.api.workers.pool import JOBS_A_WORKER, Pool
+from understudy.api.workers.places import Places
+from understudy.api.workers.pool import JOBS_A_WORKER, NOBODY, Pool
 from understudy.api.workers.processes import Nursery
-from understudy.api.workers.turns import Turns
+from understudy.api.workers.turns import Caller, Turns
 from understudy.errors import InputError, ServiceError, TooLargeError, UnderstudyError
 from understudy.settings import Settings
 
@@ -63,8 +64,8 @@ async def _begun(pool: Pool) -> "asyncio.Task[Any]":
     return running
 
 
-async def _short(pool: Pool) -> Answer:
-    answer, body = await pool.run(SHORT, SHORT_TEXT, Deadline.starting_now(PATIENCE_S * 3))
+async def _short(pool: Pool, caller: Caller = NOBODY) -> Answer:
+    answer, body = await pool.run(SHORT, SHORT_TEXT, Deadline.starting_now(PATIENCE_S * 3), caller)
     assert b"negation" in body
     return answer
 
@@ -91,25 +92,32 @@ def test_jobs_past_the_queue_are_told_when_to_come_again_and_the_rest_wait(nurse
     asyncio.run(scenario())
 
 
-def test_who_comes_again_when_told_is_served_before_who_comes_first(nursery: Nursery) -> None:
+def test_who_comes_again_when_told_is_served_though_others_renew_their_names(nursery: Nursery) -> None:
+    """They keep the queue full, under another name each time; all at its places are of one address."""
+
     async def scenario() -> None:
         now_s = [0.0]
         async with _pool(nursery, queue=2) as pool:
-            pool._turns = Turns(lambda: now_s[0])
+            pool._places = Places(2, Turns(lambda: now_s[0]), lambda: now_s[0])
             running = await _begun(pool)
-            waiting = [asyncio.create_task(_short(pool)) for _ in range(2)]
+            waiting = [asyncio.create_task(_short(pool, Caller("address", str(n))), name=str(n)) for n in range(2)]
             await _until(lambda: pool.waiting == 2)
+            told = Caller("told", "its only name")
             with pytest.raises(ServiceError) as caught:
-                pool.require_place("told")
+                pool.require_place(told)
             assert caught.value.retry_after_s
-            waiting.pop().cancel()
-            await _until(lambda: pool.waiting == 1)
             now_s[0] = math.ceil(caught.value.retry_after_s)
-            with pytest.raises(ServiceError):
-                pool.require_place("newcomer")
-            pool.require_place("told")
+            for newcomer in (Caller("address", "3"), Caller("newcomer", "1")):
+                with pytest.raises(ServiceError):
+                    pool.require_place(newcomer)
+            order = list[str]()
+            served = asyncio.create_task(_short(pool, told), name="told")
+            for task in (served, *waiting):
+                task.add_done_callback(lambda done: order.append(done.get_name()))
+            await _until(lambda: pool.waiting == 3)
             running.cancel()
-            await waiting[0]
+            await asyncio.gather(served, *waiting)
+            assert order == ["0", "told", "1"]
 
     asyncio.run(scenario())
 
@@ -247,7 +255,7 @@ def test_workers_that_were_killed_while_idle_lose_no_job(nursery: Nursery) -> No
             killed = _children(pool)
             for child in killed:
                 os.kill(child, signal.SIGKILL)
-            await _until(lambda: not any(map(_is_running, killed)))
+            await _until(lambda: all(worker.has_ended for worker in pool._idle))
             await _short(pool)
 
     asyncio.run(scenario())
