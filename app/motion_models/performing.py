@@ -82,5 +82,5 @@ def laid_over(motion: Motion, moved: UnitMotion, skeleton: Skeleton) -> Motion:
     shown = nearest_sign(resampled(track, times_s[places]), usual)
     rotations[places[:, None], at] = normalized(slerp(usual, shown, eased))
     body = BodyMotion(motion.body.times_s, rotations, motion.body.hips_m)
-    body, moved_out = resolve_collisions(skeleton, body)
+    moved_out = resolve_collisions(skeleton, body)
     return replace(motion, body=body, decisions=(*motion.decisions, *moved_out.decisions))

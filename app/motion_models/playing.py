@@ -38,7 +38,8 @@ def played(model: MotionModel, motion: Motion, voice: Contours, skeleton: Skelet
         player.hear(voice.energy_db[heard:until], voice.f0_hz[heard:until])
         heard = until
         rotations[place, at] = player.pose(rotations[place, at], float(at_s))
-    body, moved_out = resolve_collisions(skeleton, BodyMotion(motion.body.times_s, rotations, motion.body.hips_m))
+    body = BodyMotion(motion.body.times_s, rotations, motion.body.hips_m)
+    moved_out = resolve_collisions(skeleton, body)
     return replace(motion, body=body, decisions=(*motion.decisions, *moved_out.decisions))
 
 

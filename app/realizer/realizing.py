@@ -20,8 +20,8 @@ from .body.motion import BodyMotion, Decision, Motion
 from .body.movement_style import Ends, MovementStyle
 from .body.proportions import Proportions
 from .body.skeleton import Skeleton
-from .dynamics.calming import with_calm_arms, with_calm_head
-from .dynamics.take_ends import eased_at_the_ends, still_at_the_ends
+from .dynamics.calming import calm_arms, calm_head
+from .dynamics.take_ends import ease_ends, eased_at_the_ends
 from .exporting.retargeting import Rig, find_rig, load_rigs
 from .face.expressions import realized_faces, unknown_faces
 from .face.face import face_weights
@@ -203,9 +203,11 @@ def _moving_body(
     body = idle_motion(skeleton, eased_s, schedule, seed=seed, life=style.idle, with_legs=False)
     body = replace(body, times_s=times_s)
     body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=lively, accents=accents)
-    body = with_shrugs(skeleton, with_hanging_arms(skeleton, body), plan)
+    body = with_hanging_arms(skeleton, body)
+    body = with_shrugs(skeleton, body, plan)
     body, stepped = with_steps(skeleton, body, schedule, seed=seed)
-    body = with_aimed_arms(skeleton, with_hands_on_pelvis(skeleton, body, plan), plan.gestures)
+    body = with_hands_on_pelvis(skeleton, body, plan)
+    body = with_aimed_arms(skeleton, body, plan.gestures)
     looks = accompanying_looks(skeleton, body, schedule, plan)
     seen_m = {**targets_m, **{str(look.gaze.target): look.at_m for look in looks}}
     body, at_m = apply_gaze(skeleton, body, with_looks(schedule, looks), targets_m=seen_m, seed=seed)
@@ -217,29 +219,27 @@ def _moving_body(
 def _apart(
     skeleton: Skeleton, body: BodyMotion, ends: Ends, *, physics: bool
 ) -> tuple[BodyMotion, tuple[Decision, ...]]:
-    """The body with its limbs apart and its arms no faster than arms are, with `physics` also after its mass has
-    swung; and at rest at both ends."""
-    body, collisions = _apart_and_calm(skeleton, body, ends)
+    """The body, changed in place, with its limbs apart and its arms no faster than arms are, with `physics` also after
+    its mass has swung; and at rest at both ends."""
+    collisions = _keep_apart_and_calm(skeleton, body, ends)
     swung: tuple[Decision, ...] = ()
     if physics:
         body, swung = with_physics(skeleton, body)
-        body, again = _apart_and_calm(skeleton, body, ends)
-        collisions = collisions.and_then(again)
+        collisions = collisions.and_then(_keep_apart_and_calm(skeleton, body, ends))
     return body, (*collisions.decisions, *swung)
 
 
-def _apart_and_calm(skeleton: Skeleton, body: BodyMotion, ends: Ends) -> tuple[BodyMotion, Collisions]:
+def _keep_apart_and_calm(skeleton: Skeleton, body: BodyMotion, ends: Ends) -> Collisions:
     """Limbs that are kept apart may be too fast or not at rest at the ends, and those that are calmed inside something:
-    in turns, until they are neither."""
-    body, found = resolve_collisions(skeleton, body)
+    in turns, until they are neither. In place."""
+    found = resolve_collisions(skeleton, body)
     for _round in range(_APART_ROUNDS):
-        calm = with_calm_head(skeleton, still_at_the_ends(skeleton, body, ends.eased_s))
-        calm = with_calm_arms(skeleton, calm)
-        if calm is body:
+        eased = ease_ends(skeleton, body, ends.eased_s)
+        calmed = calm_head(skeleton, body), calm_arms(skeleton, body)
+        if not eased and not any(calmed):
             break
-        body, again = resolve_collisions(skeleton, calm)
-        found = found.and_then(again)
-    return body, found
+        found = found.and_then(resolve_collisions(skeleton, body))
+    return found
 
 
 def frame_times_s(end_s: float, frame_rate_hz: int) -> FloatArray:

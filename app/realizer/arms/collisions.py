@@ -6,7 +6,7 @@ continuous, and the arm is solved again for its new wrist. The hand keeps its or
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...model import FloatArray
 from ..body.contacts import BUILD, PAIRS, PosedBody, depths_m
-from ..body.limits import clamped
+from ..body.limits import clamp
 from ..body.motion import BodyMotion, Decision
 from ..body.skeleton import SIDES, Skeleton
 from .clearing import ClearingMode, cleared
@@ -68,17 +68,16 @@ class Collisions:
         return (*(each.decision for each in self.moved), *self.kept)
 
 
-def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion, Collisions]:
+def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> Collisions:
     """Move hands and forearms out of torso, head, upper legs and each other, and bring trunk, neck and arms within
-    limits.
+    limits, in place.
 
-    Returns the new motion, and the stretches of time in which a hand was displaced, or could not be without making a
-    joint jump.
+    Returns the stretches of time in which a hand was displaced, or could not be without making a joint jump.
 
     Where something stays inside, as when both arms fold at once, displacements are blended in over a longer time, and
     then limbs leave on another side; what is left after the best of these is left again, from there.
     """
-    body = replace(body, rotations=clamped(skeleton, body.rotations))
+    clamp(skeleton, body.rotations)
     depth_m = depths_where_near_m(skeleton, body)
     moved = tuple(_intrusions(depth_m, body.times_s))
     unsolved: tuple[_Clearance, ...] = ()
@@ -87,7 +86,7 @@ def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> tuple[BodyMotion
         if not unsolved:
             break
         depth_m = depths_where_near_m(skeleton, body)
-    return body, Collisions(moved, tuple(_unsolved(body.times_s[each.there], each.left_m) for each in unsolved))
+    return Collisions(moved, tuple(_unsolved(body.times_s[each.there], each.left_m) for each in unsolved))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

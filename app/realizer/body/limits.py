@@ -84,20 +84,18 @@ def violations(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
     return passed
 
 
-def clamped(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
-    """The local rotations (…, J, 4) with trunk, neck and arms clamped to their limits. Where a limit applies to a
-    chain, its last joint is corrected. Fingers are not touched: their tables respect the limits."""
-    kept = rotations.copy()
+def clamp(skeleton: Skeleton, rotations: FloatArray) -> None:
+    """Bring trunk, neck and arms within their limits, in place, in local rotations (…, J, 4). Where a limit applies to
+    a chain, its last joint is corrected. Fingers are not touched: their tables respect the limits."""
     for alike in _alike(_CLAMPED):
-        angles = _measured(skeleton, alike, kept)
+        angles = _measured(skeleton, alike, rotations)
         for place in _passed(alike, angles):
             limit, measured = alike.limits[place], angles[..., place, :]
             within = np.minimum(np.maximum(measured, limit.lowest_deg), limit.highest_deg)
             there = (np.abs(measured - within) > _TOLERATED_DEG).any(axis=-1)
             joints = skeleton.chain(*limit.joints)
-            chain = [kept[..., joint, :][there] for joint in joints]
-            kept[..., joints[-1], :][there] = _brought_back(limit, chain, within[there])
-    return kept
+            chain = [rotations[..., joint, :][there] for joint in joints]
+            rotations[..., joints[-1], :][there] = _brought_back(limit, chain, within[there])
 
 
 def _passed(alike: "_Alike", angles: FloatArray) -> NDArray[np.intp]:

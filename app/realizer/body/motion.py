@@ -96,6 +96,10 @@ class BodyMotion:
     rotations: FloatArray
     hips_m: FloatArray
 
+    def copy(self) -> "BodyMotion":
+        """The same motion with rotations and hips of its own, which can be changed in place."""
+        return BodyMotion(self.times_s, self.rotations.copy(), self.hips_m.copy())
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Motion:

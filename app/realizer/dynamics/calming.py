@@ -7,7 +7,7 @@ it, so that the sum of all layers, and of the clock that eases in and out, respe
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache, reduce
 from math import ceil, radians
 
@@ -60,33 +60,30 @@ def calm(skeleton: Skeleton, arms: Sequence[FloatArray], times_s: FloatArray) ->
     return _calmed(arms, times_s, lambda some, _frames: wrists_of(skeleton, *some), BY_THEMSELVES)
 
 
-def with_calm_arms(skeleton: Skeleton, body: BodyMotion) -> BodyMotion:
-    """The body with its arms smoothed around frames above the limits in the world; the same body if there are none."""
+def calm_arms(skeleton: Skeleton, body: BodyMotion) -> bool:
+    """Smooth the body's arms, in place, around frames above the limits in the world. Returns whether there are any."""
     arms = [body.rotations[:, skeleton.rows(*arm_joints(side))] for side in (Hand.LEFT, Hand.RIGHT)]
     wrists = _carried(skeleton, body)
     if not _fast(wrists(arms, slice(None)), arms, _step_s(body.times_s), IN_THE_WORLD).any():
-        return body
-    body = replace(body, rotations=body.rotations.copy())
-    arms = [body.rotations[:, skeleton.rows(*arm_joints(side))] for side in (Hand.LEFT, Hand.RIGHT)]
+        return False
     for arm in arms:
         keep_signs(arm)
     _calmed(arms, body.times_s, wrists, IN_THE_WORLD)
-    return body
+    return True
 
 
-def with_calm_head(skeleton: Skeleton, body: BodyMotion) -> BodyMotion:
-    """The body with its head within the limit in the world; the same body if it is."""
+def calm_head(skeleton: Skeleton, body: BodyMotion) -> bool:
+    """Keep the body's head within the limit in the world, in place. Returns whether it was above it."""
     step_s = _step_s(body.times_s)
     chest, over_chest = (_product(skeleton, body, names) for names in (_TRUNK, _NECK))
     turned = multiply(chest, over_chest)
     if (angle_between(turned[1:], turned[:-1]) <= FASTEST_HEAD_RAD_S * step_s).all():
-        return body
+        return False
     left = FASTEST_HEAD_RAD_S - angle_between(chest[1:], chest[:-1]) / step_s
     calm = within_speed(over_chest, step_s, np.maximum(left, _OWN_SHARE * FASTEST_HEAD_RAD_S))
     neck, head = skeleton.chain(*_NECK)
-    rotations = body.rotations.copy()
-    rotations[:, head] = multiply(inverse(rotations[:, neck]), calm)
-    return replace(body, rotations=rotations)
+    body.rotations[:, head] = multiply(inverse(body.rotations[:, neck]), calm)
+    return True
 
 
 def _product(skeleton: Skeleton, body: BodyMotion, names: Sequence[str]) -> FloatArray:

@@ -4,7 +4,8 @@ Speakers' hands do not stay still between gestures while they talk. The level of
 there are and how high the hand is lifted; the hand that does not lead is lifted less, and later.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from bisect import bisect_left, bisect_right
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -35,17 +36,18 @@ class Habits:
 
 
 def with_beats(
-    rest: ArmRest, emphases_s: Iterable[float], phrases: Sequence[Interval], lap: Lap, habits: Habits
+    rest: ArmRest, emphases_s: Sequence[float], phrases: Sequence[Interval], lap: Lap, habits: Habits
 ) -> ArmRest:
-    """The rest with beats on its emphases, and smaller ones where a phrase has no emphasis for long. Which ones, and
-    how high, depends on the seed and the time alone."""
+    """The rest with beats on its emphases, in increasing order, and smaller ones where a phrase has no emphasis for
+    long. Which ones, and how high, depends on the seed and the time alone."""
     ready_at = resting(rest.pose, rest.side).ready_at
     if ready_at is None or not any(lap.lift_m):
         return rest
     level = list(Level).index(ready_at)
     lag_s, share = (0.0, 1.0) if rest.side is habits.leading else (_OTHER_LAG_S, _OTHER_SHARE)
     last_s, beats = rest.start_s + _SETTLED_S, []
-    for at_s, height in _times(emphases_s, phrases, lap.beats[level], habits.seed):
+    spoken = [each for each in phrases if each.start_s <= rest.end_s and rest.start_s <= each.end_s]
+    for at_s, height in _times(emphases_s, spoken, lap.beats[level], habits.seed):
         end_s = at_s + lag_s
         if end_s - _LIFT_S >= last_s and end_s <= rest.end_s - _SETTLED_S:
             beats.append(Repeat(end_s - _LIFT_S, end_s, 0.0, height * share * lap.lift_m[level]))
@@ -54,13 +56,12 @@ def with_beats(
 
 
 def _times(
-    emphases_s: Iterable[float], phrases: Sequence[Interval], likely: float, seed: int
+    emphases_s: Sequence[float], phrases: Sequence[Interval], likely: float, seed: int
 ) -> Iterator[tuple[float, float]]:
     """The times of beats and their heights: on emphases, and at uneven steps where none comes for longer."""
-    stressed = sorted(emphases_s)
     for phrase in phrases:
         rng = np.random.default_rng((seed, round(1000 * phrase.start_s)))
-        within = [each for each in stressed if phrase.start_s <= each <= phrase.end_s]
+        within = emphases_s[bisect_left(emphases_s, phrase.start_s) : bisect_right(emphases_s, phrase.end_s)]
         at_s = phrase.start_s
         while at_s < phrase.end_s:
             step_s, height = float(rng.uniform(*_STEPS_S)), float(rng.uniform(0.7, 1.3))

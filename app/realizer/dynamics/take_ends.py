@@ -8,8 +8,6 @@ rest in the first or the last frames of the finished motion, the whole body goes
 eyes: they move as fast as eyes can already.
 """
 
-from dataclasses import replace
-
 import numpy as np
 
 from ...model import FloatArray
@@ -45,24 +43,25 @@ def _behind_s(from_end_s: FloatArray, span_s: float, stands_s: float) -> FloatAr
     return np.asarray(np.minimum(from_end_s, span_s) - moves_s * made_up)
 
 
-def still_at_the_ends(skeleton: Skeleton, body: BodyMotion, over_s: float) -> BodyMotion:
-    """The body at rest in its first and last frames; the same body if its wrists are, or `over_s` is 0."""
+def ease_ends(skeleton: Skeleton, body: BodyMotion, over_s: float) -> bool:
+    """Bring the body to rest in its first and last frames, in place. Returns whether it was not: it is left as it is if
+    its wrists are at rest, or `over_s` is 0."""
     if not over_s or not _moves_at_an_end(skeleton, body):
-        return body
+        return False
     times_s = body.times_s
     eased_s = eased_at_the_ends(times_s, over_s, _BODY_STANDS_S)
     frames = np.flatnonzero(np.abs(eased_s - times_s) > 1e-9)
     place = np.interp(eased_s[frames], times_s, np.arange(len(times_s)))
     before = np.minimum(place.astype(int), len(times_s) - 2)
     share = (place - before)[:, None]
-    rotations, hips_m = body.rotations.copy(), body.hips_m.copy()
-    hips_m[frames] = _between(body.hips_m[before], body.hips_m[before + 1], share)
-    turned = body.rotations[before]
+    body.hips_m[frames] = _between(body.hips_m[before], body.hips_m[before + 1], share)
+    turned, now = body.rotations[before], body.rotations[frames]
     after = nearest_sign(body.rotations[before + 1], turned)
-    rotations[frames] = nearest_sign(normalized(_between(turned, after, share[:, None])), body.rotations[frames])
+    eased = nearest_sign(normalized(_between(turned, after, share[:, None])), now)
     eyes = skeleton.chain("leftEye", "rightEye")
-    rotations[:, eyes] = body.rotations[:, eyes]
-    return replace(body, rotations=rotations, hips_m=hips_m)
+    eased[:, eyes] = now[:, eyes]
+    body.rotations[frames] = eased
+    return True
 
 
 def _between(one: FloatArray, other: FloatArray, share: FloatArray) -> FloatArray:

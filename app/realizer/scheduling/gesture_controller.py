@@ -120,7 +120,7 @@ def apply_gestures(
 ) -> BodyMotion:
     """The body with the plan's arm motion, and the trunk following it and its `accents`. Deterministic for a seed.
     `noise_scale` (0 to 1) scales the arms' noise."""
-    body = BodyMotion(body.times_s, body.rotations.copy(), body.hips_m.copy())
+    body = body.copy()
     rows = [_arm_rows(skeleton, side) for side in SIDES]
     collarbones = [joints.start for joints in rows]
     breath = _breath(body.rotations.take(collarbones, axis=1))

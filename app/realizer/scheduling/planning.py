@@ -115,10 +115,10 @@ def _setting(schedule: Schedule, style: MovementStyle, seed: int) -> TransitionC
 
 def _riding(rests: Iterable[ArmRest], schedule: Schedule, habits: HandHabits) -> Iterator[ArmRest]:
     """The rests with beats on stressed words, unless the body is to be still."""
-    own = Habits(habits.leading, habits.seed)
+    own, emphases_s = Habits(habits.leading, habits.seed), sorted(schedule.emphases_s)
     for rest in rests:
         still = schedule.stillness > _STILL
-        yield rest if still else riding(rest, schedule.emphases_s, schedule.phrases, habits.style.lap, own)
+        yield rest if still else riding(rest, emphases_s, schedule.phrases, habits.style.lap, own)
 
 
 def _rests(timelines: Iterable[ArmTimeline], duration_s: float) -> tuple[ArmRest, ...]:

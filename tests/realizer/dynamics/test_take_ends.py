@@ -13,7 +13,7 @@ from understudy.realization import BmlInput, prepare_schedule
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton, arm_joints, forward
-from understudy.realizer.dynamics.take_ends import eased_at_the_ends, still_at_the_ends
+from understudy.realizer.dynamics.take_ends import ease_ends, eased_at_the_ends
 from understudy.realizer.geometry.rotations import IDENTITY, angle_between, from_axis_angle, multiply
 from understudy.realizer.realizing import Realizer, realize
 
@@ -63,14 +63,16 @@ def test_a_body_that_moves_at_its_ends_comes_to_rest_there_and_is_else_as_it_was
     skeleton = Skeleton.standing()
     body = swaying(skeleton)
     assert wrist_speeds_m_s(skeleton, body)[[0, -1]].min() > 1.0
-    still = still_at_the_ends(skeleton, body, OVER_S)
+    still = body.copy()
+    assert ease_ends(skeleton, still, OVER_S)
     speeds = wrist_speeds_m_s(skeleton, still)
     assert speeds[[0, 1, -2, -1]].max() < AT_REST_M_S
     assert angle_between(still.rotations[[0, -1]], body.rotations[[0, -1]]).max() < 1e-6
     inner = (body.times_s > OVER_S) & (body.times_s < body.times_s[-1] - OVER_S)
     assert np.array_equal(still.rotations[inner], body.rotations[inner])
-    assert still_at_the_ends(skeleton, still, OVER_S) is still
-    assert still_at_the_ends(skeleton, body, 0.0) is body
+    assert not ease_ends(skeleton, still, OVER_S)
+    assert not ease_ends(skeleton, body, 0.0)
+    assert np.array_equal(body.rotations, swaying(skeleton).rotations)
 
 
 def gesture(lexeme: str, stroke_s: float, hand: Hand) -> Behavior:
