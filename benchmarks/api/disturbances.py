@@ -12,14 +12,17 @@ import socket
 import string
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, contextmanager, suppress
+from contextlib import AbstractContextManager, ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from functools import cache
+from http.client import HTTPConnection
+from secrets import token_hex
 
 import psutil
 
 from .asking import Client
 from .attacks import Attack, form, line
+from .lines import timed_line
 from .raw_streams import fill, opened, reset, say, upgrade
 from .watching import HOST, Running
 
@@ -28,6 +31,9 @@ UPGRADES = 520
 
 STREAMS, FEW_STREAMS = 14, 4
 """Nearly all places of two cores; and as many as these can make frames for beside other work."""
+
+CROWD, OTHER_ADDRESS = 12, "127.0.0.2"
+"""One more than wait and work on two cores; of loopback too, but another client's."""
 
 
 _MASK = bytes(4)
@@ -237,6 +243,28 @@ def _json_of_36_mb() -> tuple[str, bytes]:
     return "application/json", b'{"text": "' + b"a" * 36_000_000 + b'"}'
 
 
+@contextmanager
+def _crowded(service: Running) -> Iterator[None]:
+    """Connections from one other address that ask for lines again at once, each time under another id."""
+    line = timed_line()
+
+    def ask(enough: threading.Event) -> None:
+        with suppress(OSError):
+            while not enough.is_set():
+                connection = HTTPConnection(HOST, service.port, timeout=60, source_address=(OTHER_ADDRESS, 0))
+                media_type, body = line.make()
+                while not enough.is_set():
+                    connection.request(
+                        "POST", line.path, body, {"Content-Type": media_type, "X-Request-ID": token_hex(8)}
+                    )
+                    connection.getresponse().read()
+
+    with ExitStack() as stack:
+        for _ in range(CROWD):
+            stack.enter_context(_meanwhile(ask))
+        yield
+
+
 def _with(
     begin: Callable[..., AbstractContextManager[None]], *given: object
 ) -> Callable[[Running], AbstractContextManager[None]]:
@@ -278,4 +306,5 @@ REQUESTS = (
     Disturbance("a GLB that claims everything", _with(_repeated, Attack("GLB", "/realize", _hostile_glb))),
     Disturbance("36 MB of JSON", _with(_repeated, Attack("JSON", "/functions", _json_of_36_mb))),
 )
-DISTURBANCES = CONNECTIONS + LIVE + PROCESSES + REQUESTS
+CROWDS = (Disturbance("a crowd that never waits, under new names", _crowded),)
+DISTURBANCES = CONNECTIONS + LIVE + PROCESSES + REQUESTS + CROWDS

@@ -9,7 +9,7 @@ from contextlib import suppress
 from .asking import Client
 from .bars import Bar
 from .disturbances import DISTURBANCES, Disturbance
-from .lines import usual
+from .lines import timed_line
 from .raw_streams import LARGEST_RECEIVED, opened
 from .watching import Running, Watched, percentile, serving, watching
 
@@ -33,7 +33,7 @@ def _stood(disturbance: Disturbance, service: Running, client: Client) -> Iterat
         with disturbance.begin(service):
             during_s = _honest_s(client, ASKED)
         seen = enough()
-    freed_s = _freed_s(service, client)
+    freed_s = free_after_s(service, client)
     print(_row(disturbance, seen, during_s / before_s, freed_s), flush=True)
     slower, worst_s = during_s / before_s, seen.worst_s
     yield Bar(f"{disturbance.name}: /healthz", f"{worst_s:.2f} s", f"{WORST_HEALTH_S:g} s", worst_s <= WORST_HEALTH_S)
@@ -51,16 +51,16 @@ def _honest_s(client: Client, times: int) -> float:
     took_s = []
     for _ in range(times):
         began_s = time.monotonic()
-        client.ask_until_taken(usual()[1])
+        client.ask_until_taken(timed_line())
         took_s.append(time.monotonic() - began_s)
     return percentile(tuple(took_s), 50)
 
 
-def _freed_s(service: Running, client: Client) -> float:
+def free_after_s(service: Running, client: Client) -> float:
     """How long until a line is performed and a stream begun."""
     began_s = time.monotonic()
     while time.monotonic() - began_s < PATIENCE_S:
-        if client.ask(usual()[1]).status == 200 and _begins(service):
+        if client.ask(timed_line()).status == 200 and _begins(service):
             break
         time.sleep(0.1)
     return time.monotonic() - began_s

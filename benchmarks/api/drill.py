@@ -10,9 +10,9 @@ Starts services of its own on free ports of 127.0.0.1, with the settings that a 
 a 5xx other than 503 and 504 is right, as long as it is a problem with a code or has content, and JSON where it says so;
 inputs that are answered otherwise are kept in FOLDER (default out/drill). `broken.inputs` has the requests,
 `broken.streams` the messages of live streams, `broken.files` what is read from disk; `attacks` has single requests,
-`disturbances` what goes on while others ask honestly, `batch_faults` outputs that cannot be used. Not tried: a clock
-that jumps, for all processes of a machine share it; the time of day is read for the expiry of keys alone
-(`tests/api/admission/test_keys.py`), all else by the monotonic clock. Ends with 1 if a bar is missed.
+`disturbances` what goes on while others ask honestly, `batch_faults` outputs that cannot be used, `clock_jumps` clocks
+that jump. What is opened in the studio's page, avatars and zip files, is attacked by the page's own tests
+(`tests/studio/stage/glb_claims.test.js`, `tests/studio/exports/zip_files.test.js`). Ends with 1 if a bar is missed.
 """
 
 import argparse
@@ -27,6 +27,7 @@ from .bars import Bar, watched
 from .batch_faults import batch_faults
 from .broken.files import files_broken
 from .broken.streams import streams_broken
+from .clock_jumps import clock_jumps
 from .disturbed import disturbed
 from .endurance import killed, soaked
 from .fuzzing import fuzzed
@@ -88,6 +89,7 @@ def drill(options: argparse.Namespace) -> list[Bar]:
         bars += attacked(options.only)
     if not options.no_disturbances:
         bars += disturbed(options.only)
+        bars += clock_jumps() if options.only in "clock" else ()
     if not options.no_load:
         bars += [bar for part in PARTS.values() for bar in part(USUAL_S)]
     return bars

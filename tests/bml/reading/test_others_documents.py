@@ -1,4 +1,5 @@
-"""Documents as others write them, of our own writing, with the names of those that they stand for; realized whole."""
+"""Documents as others write them, of our own writing, with the names of those that they stand for, and two of ours;
+realized whole."""
 
 from pathlib import Path
 
@@ -9,6 +10,7 @@ from understudy.model import Behavior
 from understudy.models import load_realizer
 from understudy.realization.bml import BmlInput, prepare_schedule
 from understudy.realization.motion import RealizedSchedule, realize_prepared
+from understudy.realizer.scheduling.deviations import NOTICEABLE_S
 
 DOCUMENTS = Path(__file__).parent / "documents"
 EXPECTED = {"lips_unheard", "speech_untimed"}
@@ -90,3 +92,20 @@ def test_names_of_asaps_and_places_are_played_and_what_stands_in_is_told() -> No
     assert {target.position_m for target in found.schedule.targets} == {(1.0, 1.0, 1.0)}
     assert not [each for each in found.motion.decisions if each.behavior == "g3"]
     assert codes(found) == set()
+
+
+def test_a_beat_from_1_to_3_is_played_from_1_to_3() -> None:
+    found = realized("beat_1_to_3")
+    made = found.motion.realized["g1"]
+    assert (made.start, made.end) == pytest.approx((1.0, 3.0), abs=0.001)
+    assert not [each for each in found.motion.decisions if each.behavior == "g1"]
+
+
+def test_the_first_gesture_of_kennedys_line_begins_when_our_document_says_and_what_does_not_is_told() -> None:
+    """As performed from the recording by this program (`understudy perform jfk.flac`)."""
+    found = realized("understudy_jfk")
+    written, made = behaviors(found), found.motion.realized
+    assert made["gesture1"].start == pytest.approx(written["gesture1"].sync.start, abs=0.001)
+    told = {each.behavior for each in found.motion.decisions}
+    late = {each for each in made if abs(made[each].start - written[each].sync.start) >= NOTICEABLE_S}
+    assert (late - told, "gesture1" in late) == (set(), False)
