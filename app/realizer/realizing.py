@@ -200,7 +200,7 @@ def _moving_body(
     lively = 1 - schedule.stillness
     accents = accents_of(plan, times_s, style.stroke, scale=lively)
     eased_s = eased_at_the_ends(times_s, style.ends.eased_s)
-    body = idle_motion(skeleton, eased_s, schedule, seed=seed, life=style.idle, with_legs=False)
+    body = idle_motion(skeleton, eased_s, schedule, seed=seed, life=style.idle, with_limbs=False)
     body = replace(body, times_s=times_s)
     body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=lively, accents=accents)
     body = with_hanging_arms(skeleton, body)

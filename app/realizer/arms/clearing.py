@@ -52,6 +52,7 @@ def cleared(skeleton: Skeleton, start: PosedBody, way: ClearingMode, weights: Fl
     way_out = np.zeros_like(found.out)
     arms = skeleton.chain(*(side + name for side in SIDES for name in ("UpperArm", "LowerArm", "Hand")))
     least_m, rotations = float(found.depth_m.max()), start.rotations
+    most_rad = max(way.most_rad, _farthest_turn_rad(rotations.take(arms, axis=1)))
     for _round in range(_ROUNDS):
         way_out = _way_out(found, way_out, way)
         one_way = _one_way(found, way_out, radii_m(skeleton))
@@ -59,18 +60,16 @@ def cleared(skeleton: Skeleton, start: PosedBody, way: ClearingMode, weights: Fl
         swelling = {side: push.swelling(way.swell, weights) for side, push in pushes.items()}
         body = start.with_arms(skeleton, displaced(skeleton, start, swelling))
         found = contacts(skeleton, body)
-        turned, before = (each.rotations.take(arms, axis=1) for each in (body, start))
-        if found.depth_m.max() < least_m and not _jumps(turned, before, way.most_rad):
+        if found.depth_m.max() < least_m and _farthest_turn_rad(body.rotations.take(arms, axis=1)) <= most_rad:
             least_m, rotations = float(found.depth_m.max()), body.rotations
         if found.depth_m.max() <= 0:
             break
     return rotations, least_m
 
 
-def _jumps(rotations: FloatArray, before: FloatArray, most_rad: float) -> bool:
-    """Whether a joint of (F, J, 4) turns by more than the most from frame to frame, and by more than it did before."""
-    turned, did = (angle_between(each[1:], each[:-1]).max(initial=0.0) for each in (rotations, before))
-    return bool(turned > max(most_rad, did))
+def _farthest_turn_rad(rotations: FloatArray) -> float:
+    """How far any joint of (F, J, 4) turns from one frame to the next, at most."""
+    return float(angle_between(rotations[1:], rotations[:-1]).max(initial=0.0))
 
 
 def _way_out(found: Contacts, known: FloatArray, way: ClearingMode) -> FloatArray:

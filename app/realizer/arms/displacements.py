@@ -10,6 +10,7 @@ Conventions: booleans (T,) for each frame; a stretch is its first frame and the 
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -60,28 +61,31 @@ def displaced(skeleton: Skeleton, body: PosedBody, pushes: Mapping[str, Displace
         if len(frames):
             pushed = Displacement(push.wrist_m[frames], push.elbow_m[frames])
             joints = skeleton.rows(*(side + name for name in ("UpperArm", "LowerArm", "Hand")))
-            rotations[frames, joints] = _solved_again(skeleton, body.frames(frames), Hand(side), pushed)
+            rotations[frames, joints] = _solved_again(skeleton, body, frames, Hand(side), pushed)
     return rotations
 
 
-def _solved_again(skeleton: Skeleton, body: PosedBody, side: Hand, push: Displacement) -> FloatArray:
-    """Upper arm, lower arm and hand (T, 3, 4) of the arm `side`, solved for the displaced wrist and elbow."""
+def _solved_again(
+    skeleton: Skeleton, body: PosedBody, frames: NDArray[np.intp], side: Hand, push: Displacement
+) -> FloatArray:
+    """Upper arm, lower arm and hand (F, 3, 4) of the arm `side` in these frames (F,), solved for the displaced wrist
+    and elbow (F, 3)."""
     names = ("Shoulder", "UpperArm", "LowerArm", "Hand")
     chest, *joints = skeleton.chain("upperChest", *(side.value + name for name in names))
     bones = ArmBones.of(skeleton)
-    at_m, turned = body.positions_m, body.orientations
-    back = inverse(turned[:, chest])
+    hand_m, chest_m = (body.positions_m[frames, joint] for joint in (joints[-1], chest))
+    hand, back = body.orientations[frames, joints[-1]], inverse(body.orientations[frames, chest])
     mirror, across = (np.ones(4), np.ones(3)) if side is Hand.LEFT else (MIRROR, _MIRRORED)
     root_m = bones.root_m - skeleton.offsets_m[skeleton.index["leftShoulder"]]
     wrist_m, elbow_push_m = (
-        rotate(back, vector) * across for vector in (at_m[:, joints[-1]] + push.wrist_m - at_m[:, chest], push.elbow_m)
+        rotate(back, vector) * across for vector in (hand_m + push.wrist_m - chest_m, push.elbow_m)
     )
-    before = body.rotations.take(joints, axis=1)
+    before = body.rotations[frames[:, None], joints]
     collarbone, upper_arm, lower_arm = (before[:, joint] * mirror for joint in range(3))
     elbow = towards_elbow(multiply(collarbone, upper_arm), _without_twist(lower_arm), bones)
     elbow = elbow + (elbow_push_m - dot(elbow_push_m, elbow) * elbow) / _ELBOW_AT_LEAST_M
     arm = reach_by_elbow(bones, collarbone, wrist_m + root_m, elbow)
-    turn = preserving_wrist_angles(arm.forearm, multiply(back, turned[:, joints[-1]]) * mirror).clamped()
+    turn = preserving_wrist_angles(arm.forearm, multiply(back, hand) * mirror).clamped()
     after = np.stack((arm.upper_arm, multiply(arm.elbow, turn.forearm), turn.hand), axis=1)
     return nearest_sign(after * mirror, before[:, 1:])
 
@@ -103,15 +107,23 @@ def _swelling(push_m: FloatArray, swell: int) -> FloatArray:
     size_m = length(push_m)[:, 0]
     if not size_m.any():
         return push_m
-    padded = np.pad(size_m, swell, mode="constant")
+    bell, wide = _bells(swell)
+    nothing = np.zeros(swell)
+    padded = np.concatenate([nothing, size_m, nothing])
     largest = np.lib.stride_tricks.sliding_window_view(padded, 2 * swell + 1).max(axis=1)
-    bell = np.hanning(2 * swell + 3)[1:-1]
-    size_m = np.convolve(np.pad(largest, swell, mode="edge"), bell / bell.sum(), mode="valid")
-    wide = np.hanning(4 * swell + 3)[1:-1]
+    before, after = largest[:1].repeat(swell), largest[-1:].repeat(swell)
+    swollen_m = np.convolve(np.concatenate([before, largest, after]), bell, mode="valid")
     middle = slice(2 * swell, 2 * swell + len(push_m))
     towards = np.stack([np.convolve(part, wide)[middle] for part in push_m.T], axis=-1)
-    agreed = np.convolve(length(push_m)[:, 0], wide)[middle]
-    return np.asarray(towards / np.maximum(agreed, 1e-12)[:, None] * size_m[:, None])
+    agreed = np.convolve(size_m, wide)[middle]
+    return np.asarray(towards * (swollen_m / np.maximum(agreed, 1e-12))[:, None])
+
+
+@lru_cache(maxsize=16)
+def _bells(swell: int) -> tuple[FloatArray, FloatArray]:
+    """Weights of the frames in a window, whose sum is 1, and in one twice as wide. Cached; never mutated."""
+    bell = np.hanning(2 * swell + 3)[1:-1]
+    return bell / bell.sum(), np.hanning(4 * swell + 3)[1:-1]
 
 
 def frames_in(times_s: FloatArray, time_s: float) -> int:

@@ -39,6 +39,11 @@ class Limit:
     highest_deg: Degrees
     from_hanging: bool = False
 
+    @property
+    def free_deg(self) -> float:
+        """The angle up to which any rotation is within the range: none of an arm that is measured from hanging."""
+        return 0.0 if self.from_hanging else max(0.0, min(*(-angle for angle in self.lowest_deg), *self.highest_deg))
+
 
 _TRUNK = (
     Limit(("spine", "chest", "upperChest"), 1, (-30.0, -45.0, -35.0), (70.0, 45.0, 35.0)),
@@ -78,7 +83,7 @@ def violations(skeleton: Skeleton, rotations: FloatArray) -> FloatArray:
     respected."""
     passed = np.zeros((*rotations.shape[:-2], len(LIMITS)))
     for alike in _alike(LIMITS):
-        angles = _measured(skeleton, alike, rotations)
+        angles = alike.measured(_turned(skeleton, alike, rotations))
         over = np.maximum(angles - alike.highest_deg, alike.lowest_deg - angles).max(axis=-1)
         passed[..., alike.columns] = np.where(over > _TOLERATED_DEG, over, 0.0)
     return passed
@@ -88,7 +93,10 @@ def clamp(skeleton: Skeleton, rotations: FloatArray) -> None:
     """Bring trunk, neck and arms within their limits, in place, in local rotations (…, J, 4). Where a limit applies to
     a chain, its last joint is corrected. Fingers are not touched: their tables respect the limits."""
     for alike in _alike(_CLAMPED):
-        angles = _measured(skeleton, alike, rotations)
+        turned = _turned(skeleton, alike, rotations)
+        if _turns_less(turned, min(limit.free_deg for limit in alike.limits)):
+            continue
+        angles = alike.measured(turned)
         for place in _passed(alike, angles):
             limit, measured = alike.limits[place], angles[..., place, :]
             within = np.minimum(np.maximum(measured, limit.lowest_deg), limit.highest_deg)
@@ -96,6 +104,12 @@ def clamp(skeleton: Skeleton, rotations: FloatArray) -> None:
             joints = skeleton.chain(*limit.joints)
             chain = [rotations[..., joint, :][there] for joint in joints]
             rotations[..., joints[-1], :][there] = _brought_back(limit, chain, within[there])
+
+
+def _turns_less(rotation: FloatArray, degrees: float) -> bool:
+    """Whether all rotations (…, 4) are smaller than this, and with them their twists and swings. Much cheaper than to
+    measure those."""
+    return bool(np.abs(rotation[..., 3]).min(initial=1.0) > np.cos(np.radians(degrees / 2)))
 
 
 def _passed(alike: "_Alike", angles: FloatArray) -> NDArray[np.intp]:
@@ -153,7 +167,10 @@ def within_shoulder_limits(orientation: FloatArray) -> FloatArray:
 
 def within_neck_limits(turned: FloatArray) -> FloatArray:
     """The head's rotation (…, 4) relative to the upper chest, clamped to the limits of neck and head together."""
-    neck, angles = _TRUNK[1], swing_twist_deg(turned, 1)
+    neck = _TRUNK[1]
+    if _turns_less(turned, neck.free_deg):
+        return turned
+    angles = swing_twist_deg(turned, 1)
     within = np.clip(angles, neck.lowest_deg, neck.highest_deg)
     passed = (within != angles).any(axis=-1, keepdims=True)
     return np.asarray(np.where(passed, _joined(neck, within), turned)) if passed.any() else turned
@@ -161,14 +178,19 @@ def within_neck_limits(turned: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Alike:
-    """Limits that are measured in the same way, at once for speed: their columns, which are of the right side (n, 1),
-    and their bounds (n, 3)."""
+    """Limits that are measured in the same way, at once for speed: their columns, what makes their chains the left
+    side's (n, 4), and their bounds (n, 3)."""
 
     limits: tuple[Limit, ...]
     columns: list[int]
-    right: NDArray[np.bool_]
+    mirrors: FloatArray
     lowest_deg: FloatArray
     highest_deg: FloatArray
+
+    def measured(self, rotation: FloatArray) -> FloatArray:
+        """The angles (…, n, 3) of rotations (…, n, 4) of these chains."""
+        kind = self.limits[0]
+        return shoulder_deg(rotation) if kind.from_hanging else swing_twist_deg(rotation, kind.bone)
 
 
 @cache
@@ -180,20 +202,19 @@ def _alike(limits: tuple[Limit, ...]) -> tuple[_Alike, ...]:
 
 
 def _group(limits: tuple[Limit, ...], columns: list[int]) -> _Alike:
-    right = np.array([[limit.joints[0].startswith("right")] for limit in limits])
+    mirrors = np.array([MIRROR if limit.joints[0].startswith("right") else np.ones(4) for limit in limits])
     lowest, highest = ([getattr(limit, end) for limit in limits] for end in ("lowest_deg", "highest_deg"))
-    return _Alike(limits, columns, right, np.array(lowest), np.array(highest))
+    return _Alike(limits, columns, mirrors, np.array(lowest), np.array(highest))
 
 
-def _measured(skeleton: Skeleton, alike: _Alike, rotations: FloatArray) -> FloatArray:
-    """The angles (…, n, 3) of limits that are measured in the same way."""
+def _turned(skeleton: Skeleton, alike: _Alike, rotations: FloatArray) -> FloatArray:
+    """The rotations (…, n, 4) of the chains of limits that are measured in the same way, on the left or as on the
+    left."""
     first, *others = zip(*(skeleton.chain(*limit.joints) for limit in alike.limits), strict=True)
     rotation = rotations.take(first, axis=-2)
     for joints in others:
         rotation = multiply(rotation, rotations.take(joints, axis=-2))
-    rotation = np.where(alike.right, rotation * MIRROR, rotation)
-    kind = alike.limits[0]
-    return shoulder_deg(rotation) if kind.from_hanging else swing_twist_deg(rotation, kind.bone)
+    return rotation * alike.mirrors
 
 
 def _joined(limit: Limit, angles_deg: FloatArray) -> FloatArray:

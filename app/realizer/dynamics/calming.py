@@ -19,7 +19,7 @@ from ..arms.posing import ARM_ROWS, wrists_of
 from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton, arm_joints, forward
 from ..geometry.curves import smoothed
-from ..geometry.rotations import angle_between, inverse, keep_signs, multiply, normalized, rotate, within_speed
+from ..geometry.rotations import angle_between, dot, inverse, keep_signs, multiply, normalized, rotate, within_speed
 
 Wrists = Callable[[Sequence[FloatArray], slice], FloatArray]
 """Computes the positions (2, F, 3) of the wrists of a left and a right arm (F, 19, 4) in these frames."""
@@ -77,7 +77,7 @@ def calm_head(skeleton: Skeleton, body: BodyMotion) -> bool:
     step_s = _step_s(body.times_s)
     chest, over_chest = (_product(skeleton, body, names) for names in (_TRUNK, _NECK))
     turned = multiply(chest, over_chest)
-    if (angle_between(turned[1:], turned[:-1]) <= FASTEST_HEAD_RAD_S * step_s).all():
+    if (np.abs(dot(turned[1:], turned[:-1])) >= np.cos(FASTEST_HEAD_RAD_S * step_s / 2)).all():
         return False
     left = FASTEST_HEAD_RAD_S - angle_between(chest[1:], chest[:-1]) / step_s
     calm = within_speed(over_chest, step_s, np.maximum(left, _OWN_SHARE * FASTEST_HEAD_RAD_S))

@@ -17,7 +17,7 @@ from ..body.limits import MIRROR
 from ..body.movement_style import Dragging
 from ..geometry.curves import smoothed
 from ..geometry.noise import Noise, perlins
-from ..geometry.rotations import from_rotation_vector, inverse, multiply, rotate
+from ..geometry.rotations import from_rotation_vector, inverse, multiply, rotate, turn_about_z
 
 _COLLARBONE, _UPPER_ARM, _LOWER_ARM, _HAND, _FINGERS = 0, 1, 2, 3, slice(7, 19)
 _SMOOTH_S = 0.04
@@ -51,7 +51,7 @@ def drag(
     noise = perlins(times_s, Noise(_LIFE_HZ, 2 * seed + 1, 8)).reshape(-1, 2, 4)
     curls = np.radians(style.life_deg * life) * (noise + _AT_EASE)
     for number, (arm, mirror) in enumerate(zip(arms, (np.ones(4), MIRROR), strict=True)):
-        across = smoothed(_across_the_hand(arm * mirror, speeds[number]), _SMOOTH_S / step_s)
+        across = smoothed(_across_the_hand(arm[:, : _HAND + 1] * mirror, speeds[number]), _SMOOTH_S / step_s)
         turns = np.zeros((len(times_s), 3))
         late = _delayed(across, style.hand_lag_s / step_s)
         turns[:, 1] = _ASIDE * np.radians(style.hand_deg) * late[:, 1]
@@ -60,7 +60,8 @@ def drag(
         lags = (style.hand_lag_s + (1 + finger) * style.finger_lag_s for finger in range(4))
         behind = np.stack([_delayed(across[:, 0], lag_s / step_s) for lag_s in lags], axis=1)
         curled = np.radians(style.fingers_deg) * behind + curls[:, number]
-        arm[:, _FINGERS] = multiply(arm[:, _FINGERS], _bent(-_within(curled, arm)) * mirror)
+        bends = (mirror[2] * -_within(curled, arm))[:, :, None] * _JOINTS
+        turn_about_z(arm[:, _FINGERS], bends.reshape(len(bends), -1))
 
 
 def _across_the_hand(arm: FloatArray, speed: FloatArray) -> FloatArray:
@@ -89,11 +90,3 @@ def _within(curled: FloatArray, arm: FloatArray) -> FloatArray:
     free = (1 - closed) * (1 - _POINTING * beside)
     flexed = _SOFT_RAD * np.logaddexp(0.0, curled / _SOFT_RAD)
     return np.asarray(free * _MOST_CURL_RAD * np.tanh(flexed / _MOST_CURL_RAD))
-
-
-def _bent(bends: FloatArray) -> FloatArray:
-    """Rotations (T, 12, 4) of the joints of four fingers by bends (T, 4) about their hinges."""
-    halves = (bends[:, :, None] * _JOINTS).reshape(len(bends), -1) / 2
-    turned = np.zeros((*halves.shape, 4))
-    turned[..., 2], turned[..., 3] = np.sin(halves), np.cos(halves)
-    return turned

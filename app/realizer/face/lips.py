@@ -183,17 +183,21 @@ def blend(
 
 
 def _weights(dominance: Dominance, segments: Segments, near: slice, at_s: FloatArray) -> FloatArray:
-    """The dominance (articulators, T, segments) of the segments in `near` at each time."""
+    """The dominance (articulators, T, segments) of the segments in `near` at each time.
+
+    It decays before and after a segment, but nowhere for both reasons: insets are at most half a segment long.
+    """
     kind, start_s, end_s = segments.kind[near], segments.start_s[near], segments.end_s[near]
     strength = dominance.strength[kind].T[:, None]
-    decays = -1 / np.stack((dominance.before_s[kind].T, dominance.after_s[kind].T))[:, :, None]
-    away_s = np.stack((start_s - at_s[:, None], at_s[:, None] - end_s))
-    within = np.maximum(1 - (np.maximum(away_s.max(axis=0), 0) / HORIZON_S) ** 2, 0)
+    until_s, since_s = start_s - at_s[:, None], at_s[:, None] - end_s
+    away_s = np.maximum(until_s, since_s)
+    within = np.maximum(1 - (np.maximum(away_s, 0) / HORIZON_S) ** 2, 0)
     within *= segments.weight[near]
     inset_s = np.minimum(dominance.inset_s[:, None, None], (end_s - start_s) / 2)
-    decayed = _softened(away_s[:, None] + inset_s)
-    decayed *= decays
-    left = np.exp(decayed.sum(axis=0))
+    left = _softened(away_s + inset_s)
+    before, after = (-1 / each[kind].T[:, None] for each in (dominance.before_s, dominance.after_s))
+    left *= np.where(until_s > since_s, before, after)
+    np.exp(left, out=left)
     left *= strength
     left *= within
     return np.asarray(left)

@@ -87,13 +87,18 @@ def face(skeleton: Skeleton, carried_by: Chest, neck: FloatArray, head: FloatArr
 
 def eye_rotations(where: Face, at_m: FloatArray) -> FloatArray:
     """The rotations (T, 2, 4) of the left and right eye towards the points `at_m` (T, 3), within their limits."""
-    return looking(where, at_m)[0]
+    return from_pitch_yaw(*np.clip(_asked_of_eyes(where, at_m), -_LIMITS, _LIMITS))
+
+
+def _asked_of_eyes(where: Face, at_m: FloatArray) -> FloatArray:
+    """Pitch and yaw (2, T, 2) at which the left and right eye look at the points (T, 3)."""
+    return np.stack(pitch_and_yaw(rotate(inverse(where.orientation)[:, None], at_m[:, None] - where.eyes_m)))
 
 
 def looking(where: Face, at_m: FloatArray) -> tuple[FloatArray, FloatArray]:
     """`eye_rotations`, and the points (T, 3) at which the eyes look then: `at_m`, but where their limits keep them from
     it, or where it is so far that they are parallel."""
-    asked = np.stack(pitch_and_yaw(rotate(inverse(where.orientation)[:, None], at_m[:, None] - where.eyes_m)))
+    asked = _asked_of_eyes(where, at_m)
     within = np.minimum(np.maximum(asked, -_LIMITS), _LIMITS)
     eyes, seen_m = from_pitch_yaw(*within), at_m
     missed = (np.abs(asked) >= _LIMITS).any(axis=(0, 2)) | (np.abs(at_m).max(axis=1) > _NEAR_ENOUGH * FARTHEST_M)

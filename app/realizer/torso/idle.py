@@ -118,11 +118,11 @@ def idle_motion(
     *,
     seed: int,
     life: IdleLife = PLAIN.idle,
-    with_legs: bool = True,
+    with_limbs: bool = True,
 ) -> BodyMotion:
     """The idle motion at `times_s` (T,), with the postures of the schedule and breaths in its pauses. The feet stay in
-    place; without `with_legs` the legs are straight, for a later controller that moves the hips and solves the legs.
-    Deterministic for a seed."""
+    place; without `with_limbs` legs are straight and arms below the collarbones hang still, for later controllers that
+    move the hips, solve the legs and set the arms. Deterministic for a seed."""
     generator = np.random.default_rng(seed)
     held = trunk_postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
     noise = _noise(times_s, life, seed)
@@ -140,12 +140,13 @@ def idle_motion(
     bends[:, :, 0] += bow(schedule.agitation)
     bends[:, 1:] += stance.ribs[:, None] * np.array(list(_RIBS.values()))[:, None]
     _hold_trunk(skeleton, rotations, held, breath, bends)
-    _stir_arms(skeleton, rotations, np.radians(life.breath_deg) * breath, lively * noise.stirring)
+    stirred = tuple(_STIRRED) if with_limbs else ("Shoulder",)
+    _stir_arms(skeleton, rotations, stirred, np.radians(life.breath_deg) * breath, lively * noise.stirring)
     hips_m = np.zeros((len(times_s), 3))
     hips_m[:, 0] = _HIPS_OVER_LEG_M * held.weight + life.sway_m * sway[:, 12]
     hips_m[:, 2] = -_HIPS_BACK_M * held.forward + life.sway_m * sway[:, 13]
     hips_m[:, 1] = hips_height_m(skeleton, hips_m, rotations[:, 0]) - bent_m
-    if with_legs:
+    if with_limbs:
         set_legs(skeleton, rotations, hips_m)
     return BodyMotion(times_s, rotations, hips_m)
 
@@ -204,14 +205,17 @@ def _hanging(skeleton: Skeleton) -> FloatArray:
     return pose
 
 
-def _stir_arms(skeleton: Skeleton, rotations: FloatArray, breath: FloatArray, stirring: FloatArray) -> None:
-    """Raise the collarbones by the breath, in radians, and add noise (T, 2 × stirred) to the arm joints."""
-    stirs = np.radians(_STIRRING_DEGREES) * stirring.reshape(len(breath), len(SIDES), -1)
-    pitch, yaw, roll = (stirs * amplitudes for amplitudes in _stirs())
+def _stir_arms(
+    skeleton: Skeleton, rotations: FloatArray, joints: Sequence[str], breath: FloatArray, stirring: FloatArray
+) -> None:
+    """Raise the collarbones by the breath, in radians, and add noise (T, 2 × `_STIRRED`) to these first `joints` of
+    either arm."""
+    stirs = np.radians(_STIRRING_DEGREES) * stirring.reshape(len(breath), len(SIDES), -1)[:, :, : len(joints)]
+    pitch, yaw, roll = (stirs * amplitudes[:, : len(joints)] for amplitudes in _stirs())
     roll[:, :, 0] += breath[:, None] * [1.0, _ON_THE_RIGHT[2]]
     turned = from_pitch_yaw_roll(pitch, yaw, roll)
     for number, side in enumerate(SIDES):
-        stirred = skeleton.rows(*(side + name for name in _STIRRED))
+        stirred = skeleton.rows(*(side + name for name in joints))
         rotations[:, stirred] = multiply(rotations[0, stirred], turned[:, number])
 
 

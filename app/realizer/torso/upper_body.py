@@ -110,6 +110,8 @@ def _hanging(along: FloatArray) -> FloatArray:
 
 _SETTLES_S = 0.45
 """The time before and after a rest over which a hand begins and ceases to go with the pelvis."""
+_FRAMES_AT_ONCE = 2048
+"""Frames displaced at a time, so that long takes need little more memory."""
 
 
 def with_hands_on_pelvis(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan) -> BodyMotion:
@@ -126,11 +128,13 @@ def with_hands_on_pelvis(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan
     moved = np.flatnonzero(pushes_m.any(axis=(0, 2)))
     if not len(moved):
         return body
-    still = np.zeros((len(moved), 3))
-    pushes = {side: Displacement(push_m[moved], still) for side, push_m in zip(SIDES, pushes_m, strict=True)}
     rotations = body.rotations.copy()
-    posed = PosedBody.of(skeleton, rotations[moved], body.hips_m[moved])
-    rotations[moved] = displaced(skeleton, posed, pushes)
+    for first in range(0, len(moved), _FRAMES_AT_ONCE):
+        frames = moved[first : first + _FRAMES_AT_ONCE]
+        still = np.zeros((len(frames), 3))
+        pushes = {side: Displacement(push_m[frames], still) for side, push_m in zip(SIDES, pushes_m, strict=True)}
+        posed = PosedBody.of(skeleton, rotations[frames], body.hips_m[frames])
+        rotations[frames] = displaced(skeleton, posed, pushes)
     return replace(body, rotations=rotations)
 
 

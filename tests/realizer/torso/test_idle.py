@@ -6,7 +6,7 @@ import pytest
 from tests.support.motion.movements import BODY, TIMES_S, behavior, schedule
 from understudy.model import Channel, Level, Schedule
 from understudy.realizer.body.limits import violations
-from understudy.realizer.body.skeleton import forward
+from understudy.realizer.body.skeleton import SIDES, forward
 from understudy.realizer.geometry.rotations import angle_between
 from understudy.realizer.torso.balance import LEG_JOINTS
 from understudy.realizer.torso.idle import idle_motion
@@ -32,10 +32,11 @@ def test_feet_do_not_slide_and_no_two_frames_are_the_same(planned: object) -> No
     assert violations(BODY, body.rotations).max() == 0
 
 
-def test_without_legs_only_these_differ() -> None:
-    whole, without = (idle_motion(BODY, TIMES_S, SHIFTS, seed=4, with_legs=each) for each in (True, False))
+def test_without_limbs_only_legs_and_arms_below_the_collarbone_differ() -> None:
+    whole, without = (idle_motion(BODY, TIMES_S, SHIFTS, seed=4, with_limbs=each) for each in (True, False))
     turned = np.abs(whole.rotations - without.rotations).max(axis=(0, 2)) > 0
-    assert set(np.flatnonzero(turned)) == set(BODY.chain(*LEG_JOINTS))
+    arms = (side + joint for side in SIDES for joint in ("UpperArm", "LowerArm"))
+    assert set(np.flatnonzero(turned)) == set(BODY.chain(*LEG_JOINTS, *arms))
     assert np.array_equal(whole.hips_m, without.hips_m)
 
 
