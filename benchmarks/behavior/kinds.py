@@ -1,24 +1,31 @@
 """Agreement with directors on held-out lines of each kind, by the words alone.
 
-    python -m benchmarks.behavior.kinds [--directing FOLDER] [--written 3]
+    python -m benchmarks.behavior.kinds [--directing FOLDER] [--written 3] [--reader MODEL.onnx --of KIND …] [--twice]
 
 Performs the carefully directed lines that no reader was trained on (`training.acting.directed.is_held_out`; their kinds
 were), each word with a usual duration, and scores them with score.py of the folder against the one reading that each
 has. With `--written` they are all lines of that series of our own (`training/acting/lines/KIND_3.jsonl`), held out or
-not: those that were written after the shipped reader was trained are as new to it.
+not: those that were written after the shipped reader was trained are as new to it. With `--of` they are every sixth
+line of these kinds, and `--reader` is a reader that was trained without them (`training.acting.annealing --without`).
+With `--twice` only lines with a second reading count, and both readings do: what both name is asked for, what either
+names is right.
 """
 
 import argparse
 import json
 import re
+import zlib
 from collections import Counter, defaultdict
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from benchmarks.behavior.directing import gestures_of, load_score, others_of
 from training.acting.directed import DirectedLine, is_held_out, read_lines
+from training.acting.second_readings import second_readings
+from understudy.behavior.reading.encoder import Encoder
 from understudy.library.language import find_functions
 from understudy.model import Analysis, Interval
 from understudy.models import Understudy
@@ -28,6 +35,8 @@ from understudy.settings import Settings
 
 WORD_S, CHARACTER_S, PAUSE_S, SILENCE_S = 0.12, 0.045, 0.25, 0.2
 """What a word takes, each of its characters, a pause at punctuation, and the silence at both ends."""
+
+DRAWN_EVERY = 6
 
 
 def timed(analysis: Analysis) -> Analysis:
@@ -40,15 +49,35 @@ def timed(analysis: Analysis) -> Analysis:
     return replace(analysis, utterance=replace(analysis.utterance, words=tuple(words), duration_s=now_s + SILENCE_S))
 
 
-def measure(directing: Path, series: str) -> None:
-    """Performs and scores the lines, and prints the agreement by kind."""
-    readings: dict[tuple[str, tuple[str, ...]], list[DirectedLine]] = defaultdict(list)
+Readings: TypeAlias = Mapping[tuple[str, tuple[str, ...]], Sequence[DirectedLine]]
+"""The readings of lines by kind and words."""
+
+
+def readings_once(directing: Path, among: Callable[[DirectedLine], bool]) -> Readings:
+    """The first readings of the lines `among` which they are."""
+    found: dict[tuple[str, tuple[str, ...]], list[DirectedLine]] = defaultdict(list)
     for line in read_lines(directing):
-        if not line.is_delivery and (_is_of(line, series) if series else is_held_out(line)):
-            readings[line.source, line.words].append(line)
+        if not line.is_delivery and among(line):
+            found[line.source, line.words].append(line)
+    return found
+
+
+def with_second(readings: Readings) -> Readings:
+    """The lines that were read twice, with their second readings."""
+    second = second_readings()
+    return {
+        line: [*firsts, *(replace(each, reading=second[each.name]) for each in firsts if each.name in second)]
+        for line, firsts in readings.items()
+        if any(each.name in second for each in firsts)
+    }
+
+
+def measure(directing: Path, readings: Readings, reader: Path | None) -> None:
+    """Performs and scores lines, and prints the agreement by kind."""
     totals: dict[str, Counter[str]] = defaultdict(Counter)
     counts: Counter[str] = Counter()
-    with Understudy.load(Settings()) as understudy:
+    with Understudy.load(Settings()) as loaded:
+        understudy = _with_reader(loaded, reader) if reader else loaded
         score = load_score(directing, understudy.behavior.families.shows)
         for (kind, words), lines in readings.items():
             performance = perform_analysis(understudy, timed(find_functions(understudy, " ".join(words))), Options())
@@ -62,8 +91,18 @@ def measure(directing: Path, series: str) -> None:
         score.show(f"{name}, {counts[name]} lines", total, counts[name])
 
 
+def _with_reader(understudy: Understudy, reader: Path) -> Understudy:
+    models = understudy.behavior
+    planner = replace(models.planner, encoder=Encoder.load(reader))
+    return replace(understudy, behavior=replace(models, planner=planner))
+
+
 def _is_of(line: DirectedLine, series: str) -> bool:
     return re.fullmatch(rf"[a-z]+{re.escape(series)}-\d+", line.name) is not None
+
+
+def _is_drawn(line: DirectedLine, kinds: Sequence[str]) -> bool:
+    return line.source in kinds and zlib.crc32(line.name.encode()) % DRAWN_EVERY == 0
 
 
 def _records(score: Any, lines: Sequence[DirectedLine]) -> list[dict[str, Any]]:  # noqa: ANN401
@@ -81,8 +120,17 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
     parser.add_argument("--written", default="", help="the number of a series of our own lines")
+    parser.add_argument("--of", nargs="+", default=[], help="kinds of lines")
+    parser.add_argument("--reader", type=Path, help="a reader in place of the shipped one")
+    parser.add_argument("--twice", action="store_true", help="score against two readings")
     options = parser.parse_args()
-    measure(options.directing, options.written)
+    among: Callable[[DirectedLine], bool] = is_held_out
+    if options.of:
+        among = partial(_is_drawn, kinds=options.of)
+    elif options.written:
+        among = partial(_is_of, series=options.written)
+    readings = readings_once(options.directing, among)
+    measure(options.directing, with_second(readings) if options.twice else readings, options.reader)
 
 
 if __name__ == "__main__":

@@ -1,12 +1,15 @@
 """Anneals the reader on careful lines, with second readings and with what it read before.
 
     python -m training.acting.annealing OUT.npz [--minutes 50] [--seed N] [--measured FILE.json]
+    python -m training.acting.annealing OUT.npz --from MODEL.onnx --without npc previs [--pace 2]
 
 It begins with the shipped weights. Where a line was read twice (`lines/second/`), it is trained towards the mean of
 both readings, and every target is drawn for `TAUGHT` of its way to what the shipped reader makes of the same line:
 one reading is one opinion of many, and what was learnt from thousands of other lines is not to be lost. Some lines are
 cut at the end of a sentence, some are joined, and some pieces are hidden, so that the reader depends on none. The rate
-falls to nearly 0 within the given time; OUT gets the running mean of the weights. What is heard of a delivery is
+falls to nearly 0 within the given time; OUT gets the running mean of the weights. With `--from` it begins with a model
+of before (the last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody
+teaches it: what it has never been shown of the kinds `--without` can then be measured. What is heard of a delivery is
 guessed, or drawn from what was measured in recordings (`training/acting/recordings.py`); only then are the weights of
 what is heard trained too. An eighth of the lines is held out, as in `training/acting/encoder.py`, whose needs it has.
 """
@@ -28,7 +31,7 @@ from understudy.behavior.reading.encoder import WORDS_ALONE, Delivery, Encoder
 from understudy.model import SingleArray
 
 from .directed import MANNER, DirectedLine, is_held_out, read_lines
-from .encoder import BATCH, SHIPPED, WEIGHT_DECAY, Encoded, batches_of, encoded, loss_of, starting_weights
+from .encoder import BATCH, SHIPPED, SIZES, WEIGHT_DECAY, Encoded, batches_of, encoded, loss_of, starting_weights
 from .listening import Voices, as_written, heard, voices_of
 from .network import Reader
 from .recordings import read_measured
@@ -42,6 +45,9 @@ WARM_UP_STEPS, LEAST_RATE = 40, 0.02
 TAUGHT, OLD_SHARE, CUT, JOINED, HIDDEN = 0.3, 0.3, 0.12, 0.08, 0.03
 SHORT_PIECES, FEWEST_WORDS = 30, 3
 MEAN_OF_STEPS = 100
+OTHER_CHANNELS = sum(SIZES[:3])
+"""The first output that is not of the hands."""
+
 TOLD_EVERY_S = 480.0
 
 Told = tuple[Encoded, Delivery]
@@ -50,44 +56,53 @@ Told = tuple[Encoded, Delivery]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Material:
-    """The lines that are trained on and those held out, what was measured in recordings, the shipped vocabulary and
-    reader."""
+    """The lines that are trained on and those held out, what was measured in recordings, the vocabulary, and the
+    shipped reader, unless nobody teaches."""
 
     kept: Sequence[Encoded]
     checked: Sequence[Encoded]
     voices: Voices
     vocabulary: Mapping[str, int]
-    teacher: Encoder
+    teacher: Encoder | None
 
 
-def material(directing: Path, vocabulary: Mapping[str, int], measured: Path | None) -> Material:
-    """All directed lines; those that were read twice have the mean of both readings."""
+def material(
+    directing: Path, vocabulary: Mapping[str, int], measured: Path | None, *, without: Sequence[str], taught: bool
+) -> Material:
+    """All directed lines; those that were read twice have the mean of both readings. Kinds named in `without` are left
+    out of both parts."""
     second = second_readings()
     lines = [
-        _read_twice(each, second, vocabulary) for line in read_lines(directing) if (each := encoded(line, vocabulary))
+        each for line in read_lines(directing) if line.source not in without and (each := encoded(line, vocabulary))
     ]
     return Material(
-        kept=[each for each in lines if not is_held_out(each.line)],
-        checked=[each for each in lines if is_held_out(each.line)],
+        kept=[_read_twice(each, second, vocabulary) for each in lines if not is_held_out(each.line)],
+        checked=[_read_twice(each, second, vocabulary) for each in lines if is_held_out(each.line)],
         voices=voices_of(read_measured(measured) if measured else {}, (each.line for each in lines)),
         vocabulary=vocabulary,
-        teacher=Encoder.load(SHIPPED),
+        teacher=Encoder.load(SHIPPED) if taught else None,
     )
 
 
 def _read_twice(each: Encoded, second: Mapping[str, dict[str, Any]], vocabulary: Mapping[str, int]) -> Encoded:
+    """A line with the mean of both readings. Where the first was not careful with heads and faces, only the second says
+    what they do, and the line is a careful one from then on."""
     name = each.line.name
     other = encoded(DirectedLine(name, each.line.words, second[name], True), vocabulary) if name in second else None
     if other is None:
         return each
     wanted: SingleArray = np.asarray((each.wanted + other.wanted) / 2, np.float32)
-    return replace(each, wanted=wanted, counts=np.maximum(each.counts, other.counts))
+    counts: SingleArray = np.maximum(each.counts, other.counts)
+    if not each.line.careful:
+        wanted[:, OTHER_CHANNELS:] = other.wanted[:, OTHER_CHANNELS:]
+        counts[:, OTHER_CHANNELS:] = other.counts[:, OTHER_CHANNELS:]
+    return replace(each, line=replace(each.line, careful=True), wanted=wanted, counts=counts)
 
 
-def anneal(reader: Reader, given: Material, minutes: float, seed: int) -> Mapping[str, Tensor]:
+def anneal(reader: Reader, given: Material, minutes: float, seed: int, *, pace: float = 1.0) -> Mapping[str, Tensor]:
     """Trains for that time; the running mean of the weights."""
     chance = random.Random(seed)
-    optimizer = _optimizer(reader)
+    optimizer = _optimizer(reader, pace)
     rates = [group["lr"] for group in optimizer.param_groups]
     mean = {name: each.detach().clone() for name, each in reader.weights.items()}
     began_s = told_s = time.monotonic()
@@ -97,9 +112,8 @@ def anneal(reader: Reader, given: Material, minutes: float, seed: int) -> Mappin
             break
         for group, rate in zip(optimizer.param_groups, rates, strict=True):
             group["lr"] = rate * min(1.0, (step + 1) / WARM_UP_STEPS) * max(LEAST_RATE, 1 - share)
-        _step(
-            reader, optimizer, loss_of(reader, [_taught(*each, given.teacher) for each in batch], [d for _, d in batch])
-        )
+        lines = [_taught(*each, given.teacher) if given.teacher else each[0] for each in batch]
+        _step(reader, optimizer, loss_of(reader, lines, [told for _, told in batch]))
         _follow(mean, reader, min(1 - 1 / MEAN_OF_STEPS, step / (step + 20)))
         if time.monotonic() - told_s > TOLD_EVERY_S:
             told_s = time.monotonic()
@@ -203,7 +217,7 @@ def _with_hidden(each: Encoded, mask: int, chance: random.Random) -> Encoded:
     return replace(each, pieces=[each.pieces[0], *inner, each.pieces[-1]])
 
 
-def _optimizer(reader: Reader) -> torch.optim.Optimizer:
+def _optimizer(reader: Reader, pace: float) -> torch.optim.Optimizer:
     """The weights by rate: outputs quicker than layers, lower layers slower."""
     groups: dict[tuple[float, float], list[nn.Parameter]] = {}
     for name, each in reader.weights.items():
@@ -218,7 +232,9 @@ def _optimizer(reader: Reader) -> torch.optim.Optimizer:
         else:
             key = (EMBEDDING_FACTOR * RATE, 0.0)
         groups.setdefault(key, []).append(each)
-    return torch.optim.AdamW([{"params": each, "lr": key[0], "weight_decay": key[1]} for key, each in groups.items()])
+    return torch.optim.AdamW(
+        [{"params": each, "lr": pace * key[0], "weight_decay": key[1]} for key, each in groups.items()]
+    )
 
 
 def _held_out(reader: Reader, mean: Mapping[str, Tensor], given: Material) -> str:
@@ -254,15 +270,24 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--measured", type=Path, help="what the analysis measured in recordings")
     parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
+    parser.add_argument("--from", dest="start", type=Path, help="a model of before, which nobody teaches")
+    parser.add_argument("--without", nargs="+", default=[], help="kinds of lines that are left out")
+    parser.add_argument("--pace", type=float, default=1.0, help="a factor of the learning rates")
     arguments = parser.parse_args()
     torch.set_num_threads(1)
     torch.manual_seed(arguments.seed)
-    weights, vocabulary = starting_weights(SHIPPED)
-    reader = Reader(weights, frozen=FROZEN)
-    reader.weights["heard"].requires_grad_(arguments.measured is not None)
-    given = material(arguments.directing, vocabulary, arguments.measured)
+    weights, vocabulary = starting_weights(arguments.start or SHIPPED)
+    reader = Reader(weights, frozen=0 if arguments.start else FROZEN)
+    reader.weights["heard"].requires_grad_(arguments.measured is not None or arguments.start is not None)
+    given = material(
+        arguments.directing,
+        vocabulary,
+        arguments.measured,
+        without=arguments.without,
+        taught=arguments.start is None,
+    )
     print(f"{len(given.kept)} lines; {len(given.checked)} held out", flush=True)
-    _set(reader, anneal(reader, given, arguments.minutes, arguments.seed))
+    _set(reader, anneal(reader, given, arguments.minutes, arguments.seed, pace=arguments.pace))
     np.savez(arguments.output, allow_pickle=False, **reader.exported())
 
 
