@@ -157,7 +157,7 @@ class Settings(BaseModel):
     )
     upload_s: float = Field(default=30.0, gt=0, description="a body that takes longer to arrive is answered 408")
     idle_s: float = Field(default=5.0, gt=0, description="a connection idle for longer is closed")
-    max_connections: int = Field(default=512, gt=0, description="concurrent connections; 503 beyond")
+    max_connections: int = Field(default=512, gt=0, description="concurrent connections; 503 beyond, if all work")
     live_streams: int | None = Field(
         default=None, ge=0, description="concurrent live streams, refused beyond; eight a core if unset"
     )

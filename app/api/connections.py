@@ -1,5 +1,6 @@
 """Limits on connections, below HTTP requests and WebSocket messages: their number, the time for headers and handshakes,
-and the time an answer may remain unread. A connection that exceeds one is closed.
+and the time an answer may remain unread. A connection that exceeds one is closed; of too many, one that waits for its
+next request is.
 
 The kernel is polled for WebSockets that their clients have left, which are thus noticed even while nothing is read from
 the socket. The ASGI scope has an event for it under the extension `GONE`.
@@ -73,11 +74,23 @@ class LimitedProtocol(H11Protocol, _ReadInTurns):
         self._checking: asyncio.TimerHandle | None = None
         self._taken_bytes, self._read_until_s = 0, 0.0
         self._headers_due_s = self.loop.time() + HEADERS_IN * self.settings.idle_s
-        if len(self.connections) > self.settings.max_connections:
+        if not self._has_room():
             transport.write(connections_full())
             transport.close()
             return
         self._check()
+
+    def _has_room(self) -> bool:
+        """Whether there are no more connections than may be, once the one is closed whose request has been awaited
+        longest; who only holds connections keeps nobody out."""
+        open_ = [each for each in self.connections if not each.transport.is_closing()]
+        if len(open_) <= self.settings.max_connections:
+            return True
+        awaited = [each for each in open_ if isinstance(each, LimitedProtocol) and not each._is_in_request]
+        oldest = min(awaited, key=lambda each: each._headers_due_s)
+        if oldest is not self:
+            oldest.transport.abort()
+        return oldest is not self
 
     def data_received(self, data: bytes) -> None:
         if self.transport.is_closing():

@@ -169,8 +169,8 @@ def hold_uploads(host: str, port: int, *, count: int = 60, size: int = 38_000_00
 
 
 @contextmanager
-def hold_headers(host: str, port: int, *, count: int = 500) -> Iterator[list[socket.socket]]:
-    """Connections whose request never gets past its headers (point 5)."""
+def hold_headers(host: str, port: int, *, count: int = 600) -> Iterator[list[socket.socket]]:
+    """More connections than may be, whose requests never get past their headers (point 5)."""
     with ExitStack() as stack:
         held = []
         for _ in range(count):

@@ -5,7 +5,7 @@ import socket
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import closing, contextmanager, suppress
+from contextlib import ExitStack, closing, contextmanager, suppress
 from http.client import HTTPConnection
 
 import h11
@@ -64,15 +64,44 @@ def served(**limits: float) -> Iterator[tuple[uvicorn.Server, Callable[[], socke
         thread.join()
 
 
+BEGUN = b"POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 2\r\nExpect: 100-continue\r\n\r\n"
+
+
 def test_one_connection_more_is_refused_with_a_problem() -> None:
     with served(max_connections=1) as (_server, connect), connect() as first:
-        first.sendall(GET)
-        assert first.recv(100).startswith(b"HTTP/1.1 200")
+        first.sendall(BEGUN)
+        assert first.recv(100).startswith(b"HTTP/1.1 100")
         with connect() as second:
             head, _, body = b"".join(iter(lambda: second.recv(4096), b"")).partition(b"\r\n\r\n")
     assert head.startswith(b"HTTP/1.1 503 ")
     assert b"retry-after: 1" in head
     assert json.loads(body)["code"] == "connections_full"
+
+
+def test_those_that_hold_connections_without_a_request_keep_nobody_out() -> None:
+    """The one whose request has been awaited longest is closed for each that comes; one that is answered stays."""
+    with served(max_connections=3) as (_server, connect), connect() as working, ExitStack() as stack:
+        working.sendall(BEGUN)
+        assert working.recv(100).startswith(b"HTTP/1.1 100")
+        held = [stack.enter_context(connect()) for _ in range(2)]
+        for each in held:
+            each.sendall(GET[:-4])
+        with connect() as honest:
+            honest.sendall(GET)
+            assert honest.recv(100).startswith(b"HTTP/1.1 200")
+            assert is_ended(held[0])
+        held[1].sendall(GET[-4:])
+        assert held[1].recv(100).startswith(b"HTTP/1.1 200")
+        working.sendall(b"ok")
+        assert working.recv(100).startswith(b"HTTP/1.1 200")
+
+
+def is_ended(connection: socket.socket) -> bool:
+    """Whether the other side has ended it."""
+    try:
+        return connection.recv(100) == b""
+    except ConnectionResetError:
+        return True
 
 
 def test_what_is_no_http_is_answered_with_a_problem() -> None:

@@ -2,7 +2,7 @@
 
 A caller has a turn from its first refusal until it is accepted, and keeps its place if it is refused again. A caller
 that does not return within `KEPT_S` of the time it was given loses it. Turns belong to clients: whoever gives each
-request another name gets many turns, but its second comes after everybody's first.
+request another name gets many turns, but its second comes after the first of all others.
 """
 
 import math
@@ -67,7 +67,7 @@ class Turns:
 
     def before(self, caller: Caller) -> int | None:
         """How many others come first, of those who are due; None if the caller is not, and comes after all of them.
-        Everybody's first turn comes before anybody's second, and so on, each in the order of the first requests."""
+        The first turns of all clients come before their second ones, and so on, in the order of the first requests."""
         self._forget()
         mine = self._kept.get(caller.client, {}).get(caller.request)
         if mine is None or mine.due_s > self._clock():
