@@ -88,9 +88,9 @@ def laid_over(layers: Sequence[Path]) -> Iterator[None]:
         _LAYERS.reset(token)
 
 
-def layers_of(told: str | None) -> tuple[Path, ...]:
+def layers_of(value: str | None) -> tuple[Path, ...]:
     """The folders in the value of `UNDERSTUDY_LEXICON`, which separates them as `PATH` does."""
-    return tuple(Path(each) for each in (told or "").split(os.pathsep) if each)
+    return tuple(Path(each) for each in (value or "").split(os.pathsep) if each)
 
 
 def layers() -> tuple[Path, ...]:

@@ -69,10 +69,10 @@ class Cache:
     @classmethod
     def of_environment(cls) -> Self:
         """The folder that `UNDERSTUDY_CACHE` names, none if it is "off", the platform's cache folder if it is unset."""
-        told = os.environ.get(VARIABLE, "")
-        if told.lower() == OFF or not hasattr(os, "geteuid"):
+        value = os.environ.get(VARIABLE, "")
+        if value.lower() == OFF or not hasattr(os, "geteuid"):
             return cls(None)
-        return cls(Path(told) if told else _usual_folder())
+        return cls(Path(value) if value else _usual_folder())
 
     def kept(self, name: str, files: Iterable[Path], make: Callable[[], Value], *, made_with: str = "") -> Value:
         """The value that `make` computes from the content of `files`: from the cache if nothing has changed, else
@@ -90,7 +90,7 @@ class Cache:
                 kept: Value = _unpickled(payload)
             except (AttributeError, ImportError, TypeError) as error:
                 # A process that ran while its code was replaced wrote its old classes under the new code's key.
-                _log.debug("%s is of other code than this: %s", name, error)
+                _log.debug("%s was cached by other code than this: %s", name, error)
             else:
                 return kept
         made = make()
@@ -280,4 +280,4 @@ class _Unpickler(pickle.Unpickler):
             found = super().find_class(module, name)
             if found.__module__ == module:  # not what the module itself imported
                 return found
-        raise pickle.UnpicklingError(f"{module}.{name} is nothing that is kept")
+        raise pickle.UnpicklingError(f"{module}.{name} may not be in a cached value")

@@ -54,18 +54,18 @@ class Option:
 
     def told_in_command(self) -> str:
         """The help on the command line, with the range and the default."""
-        told = self.default_told
-        if not told and isinstance(self.default, (str, int, float)) and not isinstance(self.default, bool):
-            told = f"{self.default:g}" if isinstance(self.default, float) else str(self.default)
-        default = f"default: {self.unset}" if self.unset else f"default {told}" if told else ""
+        default_text = self.default_told
+        if not default_text and isinstance(self.default, (str, int, float)) and not isinstance(self.default, bool):
+            default_text = f"{self.default:g}" if isinstance(self.default, float) else str(self.default)
+        default = f"default: {self.unset}" if self.unset else f"default {default_text}" if default_text else ""
         limits = "{:g} to {:g}".format(*self.limits) if self.limits and self.kind is float else ""
         remarks = ", ".join(part for part in (limits, default) if part)
         return f"{self.help}{self.command_help}" + (f" ({remarks})" if remarks else "")
 
     def told_in_request(self) -> str:
         """The description in the interface description of the service."""
-        told = f"{self.help[0].upper()}{self.help[1:]}{self.request_help}."
-        return told + (f" Omitted or null: {self.unset}." if self.unset else "")
+        sentence = f"{self.help[0].upper()}{self.help[1:]}{self.request_help}."
+        return sentence + (f" Omitted or null: {self.unset}." if self.unset else "")
 
     def check(self, value: float) -> None:
         """Raises InputError `value_wrong` for a number outside the range."""
@@ -172,13 +172,13 @@ PERFORMANCE = _table(
         ),
         Option(
             "bmlt_audio",
-            "add an element to BML 1.0 with which ASAP plays the recording; strict readers refuse it",
+            "add an element to BML 1.0 that makes ASAP play the recording; strict readers reject it",
             bool,
             False,
         ),
         Option(
             "lead_in_s",
-            "seconds by which the performance begins before the recording, to give the first gestures time",
+            "seconds by which the performance begins before the recording, so that the first gestures have time",
             float,
             0.0,
             limits=(0, 3),
@@ -212,7 +212,7 @@ PERFORMANCE = _table(
 
 MOTION = _table(
     (
-        _AGITATION,
+        replace(_AGITATION, unset="as recorded in the BML, or as measured in the voice"),
         replace(
             _CHARACTER,
             help="the character that moves",
@@ -262,7 +262,7 @@ MOTION = _table(
         ),
         Option(
             "keys",
-            "keys of GLB: one in every frame, or few that can be edited, with markers",
+            "keyframes of GLB: one in every frame, or a few that can be edited, with markers",
             default=Keys.BAKED,
             choices=tuple(Keys),
         ),

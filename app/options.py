@@ -51,7 +51,7 @@ class Options:
     def __post_init__(self) -> None:
         PERFORMANCE["lead_in_s"].check(self.lead_in_s)
         if self.profile is not None and self.mode is not Mode.SEMANTIC:
-            message = f"profile: a profile's gestures show what is meant; mode {self.mode} has others"
+            message = f"profile: mode {self.mode} uses none; leave it out, or take mode semantic"
             raise InputError("value_wrong", message, field="profile")
         PERFORMANCE["stillness"].check(self.stillness)
         check_targets(self.targets)

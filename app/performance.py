@@ -53,7 +53,7 @@ class PerformedLine:
     def written_script(self) -> GestureScript:
         """The gesture script (NGS §3.3); raises InputError `value_wrong` where the options name no profile."""
         if self.script is None:
-            message = "profile: a gesture script is written by a profile; name one"
+            message = "profile: a gesture script needs a profile; name one"
             raise InputError("value_wrong", message, field="profile")
         return self.script
 

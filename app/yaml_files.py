@@ -134,10 +134,10 @@ def entry_source(sources: Sequence[Source], *place: str) -> Source:
 
 def _wrong(mistakes: Iterable[Mistake]) -> AuthoringError:
     """With all mistakes, or with the first and how many more there are."""
-    told = list(islice(mistakes, MOST_MISTAKES + 1))
-    if len(told) > MOST_MISTAKES:
-        told[-1] = replace(told[-1], message="there are more mistakes; correct these first")
-    return AuthoringError(tuple(told))
+    first = list(islice(mistakes, MOST_MISTAKES + 1))
+    if len(first) > MOST_MISTAKES:
+        first[-1] = replace(first[-1], message="there are more mistakes; correct these first")
+    return AuthoringError(tuple(first))
 
 
 def _read(path: Path) -> str:

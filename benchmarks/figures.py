@@ -118,10 +118,10 @@ def pages() -> tuple[Path, ...]:
 
 def _row(figure: Figure) -> str:
     value = f"{figure.value:g} {figure.unit}".rstrip()
-    told = f"**{value}**" if figure.falls_short else value
+    shown = f"**{value}**" if figure.falls_short else value
     command = f"`{figure.command}`".replace("|", "\\|")
     return (
-        f"| {figure.name} | {told} | {figure.bar or ''} | {figure.aim or ''} | {command} "
+        f"| {figure.name} | {shown} | {figure.bar or ''} | {figure.aim or ''} | {command} "
         f"| {figure.commit} | {figure.date} |"
     )
 

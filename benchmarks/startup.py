@@ -77,12 +77,12 @@ def cost_of(command: Sequence[str], environment: Mapping[str, str], folder: str)
         command, env=environment, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
     )
     assert process.stderr is not None
-    told = process.stderr.read()
+    errors = process.stderr.read()
     _, status, usage = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
     process.stderr.close()
     if process.returncode:
-        raise subprocess.CalledProcessError(process.returncode, command, stderr=told)
+        raise subprocess.CalledProcessError(process.returncode, command, stderr=errors)
     return Cost(usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024)
 
 
@@ -105,16 +105,16 @@ def tell_commands(runs: int, before: Path | None) -> dict[str, Cost]:
             cost_of(called, kept, folder)
             with_it, without = (median_cost(called, runs, each, folder) for each in (kept, off))
             costs[command.name] = with_it
-            told = f"{command.name:44s} {with_it.processor_s:5.2f} s {with_it.memory_mb:5.0f} "
-            told += f"{without.processor_s:5.2f} s {without.memory_mb:5.0f} "
+            line = f"{command.name:44s} {with_it.processor_s:5.2f} s {with_it.memory_mb:5.0f} "
+            line += f"{without.processor_s:5.2f} s {without.memory_mb:5.0f} "
             if before is not None:
                 there = usual | {"PYTHONPATH": str(before / "src")}
                 cost_of(called, there, folder)
                 earlier = median_cost(called, runs, there, folder)
-                told += f"{earlier.processor_s:5.2f} s {with_it.processor_s / earlier.processor_s:6.2f} "
+                line += f"{earlier.processor_s:5.2f} s {with_it.processor_s / earlier.processor_s:6.2f} "
             else:
-                told += " " * 15
-            print(told + _bar(command))
+                line += " " * 15
+            print(line + _bar(command))
     return costs
 
 

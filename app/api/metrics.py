@@ -46,8 +46,8 @@ class Metrics:
             Gauge("understudy_lines_in_work", "Lines being performed now", registry=registry),
             Gauge("understudy_lines_waiting", "Lines waiting for a worker", registry=registry),
             Gauge("understudy_live_streams", "Live streams that are open now", registry=registry),
-            Counter("understudy_live_streams_ended", "Live streams, by their end", ("end",), registry=registry),
-            Counter("understudy_keys_refused", "Requests without a right API key", registry=registry),
+            Counter("understudy_live_streams_ended", "Live streams, by how they ended", ("end",), registry=registry),
+            Counter("understudy_keys_refused", "Requests without a valid API key", registry=registry),
         )
 
     def watch(self, *, busy: Callable[[], float], waiting: Callable[[], float], streams: Callable[[], float]) -> None:

@@ -215,6 +215,8 @@ def _by_kind(files: Sequence[Path]) -> Mapping[str, Sequence[Path]]:
     kinds: dict[str, list[Path]] = {}
     for file in files:
         chooses = _CHOOSES.search(file.read_text(encoding="utf-8")) is not None
-        told = "behaviors" if chooses else "functions"
-        kinds.setdefault(file.parent.name if file.parent.name in ("functions", "behaviors") else told, []).append(file)
+        default_kind = "behaviors" if chooses else "functions"
+        kinds.setdefault(
+            file.parent.name if file.parent.name in ("functions", "behaviors") else default_kind, []
+        ).append(file)
     return kinds

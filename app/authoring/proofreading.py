@@ -186,8 +186,8 @@ def _unshown(source: Source, entry: BehaviorEntry, library: Library) -> Iterator
     for hand in (entry.hand,) if entry.hand else (Hand.LEFT, Hand.RIGHT):
         missing = [level for level in Level if not library.clips(entry.lexeme, level, hand)]
         if missing:
-            told = f"no gesture shows {entry.lexeme} at {', '.join(missing)} agitation with hand {hand}"
-            yield source.mistake(("behaviors", entry.name), told)
+            message = f"no gesture shows {entry.lexeme} at {', '.join(missing)} agitation with hand {hand}"
+            yield source.mistake(("behaviors", entry.name), message)
 
 
 def check_profile(file: Path) -> None:

@@ -149,7 +149,7 @@ def write_text(
 def require_folder(kind: EditableFiles, folder: Path | None) -> None:
     """Raises ForbiddenError `rules_read_only` if there is none."""
     if folder is None:
-        message = "nothing is written here; start `understudy studio --lexicon DIR`, and files are saved in DIR"
+        message = "no folder to save in; start `understudy studio --lexicon DIR` to save files in DIR"
         raise ForbiddenError("rules_read_only", message, field=kind.field)
 
 

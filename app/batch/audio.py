@@ -54,8 +54,8 @@ def converted(path: Path) -> bytes:
         except (OSError, subprocess.TimeoutExpired) as error:
             raise UndecodableError("audio_undecodable", f"{path}: ffmpeg: {error}", field="audio") from None
         if done.returncode != 0 or not whole.is_file():
-            told = done.stderr.decode(errors="replace").strip().splitlines() or ["it has no sound"]
-            raise UndecodableError("audio_undecodable", f"{path}: ffmpeg: {told[-1]}", field="audio")
+            lines = done.stderr.decode(errors="replace").strip().splitlines() or ["it has no sound"]
+            raise UndecodableError("audio_undecodable", f"{path}: ffmpeg: {lines[-1]}", field="audio")
         return whole.read_bytes()
 
 

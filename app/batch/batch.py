@@ -15,8 +15,9 @@ from typing import Protocol
 from ..loading import OnDemand
 from ..model.voice.signal import SpeakerReference
 from ..settings import Settings
+from .manifest.entries import ManifestEntry, State, WrittenFile
 from .manifest.hashes import KnownRecording, input_hash, installation_hash, settings_hash
-from .manifest.store import FILE, Manifest, ManifestEntry, State, WrittenFile
+from .manifest.store import FILE, Manifest
 from .planning import BatchPlan, BatchRequest, entry_of, hopeless_entries, plan_batch, with_voices
 from .reports.html_report import Heading, Thumbnail
 from .reports.writing import remove_reports, reports_are_there, write_reports

@@ -207,8 +207,8 @@ class CastingPlan:
         """Remarks about names in the cast that the script does not have."""
         known = {folded(line.character): line.character for line in lines}
         unknown = [name for name in self.cast.names if name != "*" and folded(name) not in known]
-        told = [f"nobody in the script is called {name!r}{did_you_mean(name, known.values())}" for name in unknown]
-        return tuple(told)
+        messages = [f"nobody in the script is called {name!r}{did_you_mean(name, known.values())}" for name in unknown]
+        return tuple(messages)
 
     def _performer(self, name: str) -> str:
         """The character named in the cast, else ours of the same name, else the command's."""

@@ -97,8 +97,8 @@ class RecordingPattern:
             name, star, plain, stray = match.groups()
             if stray is not None or (name is not None and name not in PLACES):
                 hint = did_you_mean(name or "", PLACES)
-                told = ", ".join(f"{{{place}}}" for place in PLACES)
-                message = f"pattern {text!r}: {match[0]!r} is not a place; places are {told}{hint}"
+                listed = ", ".join(f"{{{place}}}" for place in PLACES)
+                message = f"pattern {text!r}: {match[0]!r} is not a place; places are {listed}{hint}"
                 raise InputError("pattern_wrong", message, field="pattern")
             if name in places:
                 made += f"(?P={name})"

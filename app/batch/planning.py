@@ -20,7 +20,7 @@ from ..schemas.edits import read_edits
 from .audio import AudioSource, advice, converter, is_compressed
 from .casting import NOBODY_CAST, CastingPlan, read_cast
 from .layout import Layout, file_name, require_apart
-from .manifest.store import ManifestEntry, State
+from .manifest.entries import ManifestEntry, State
 from .matching import (
     JoinedLines,
     RecordingPattern,

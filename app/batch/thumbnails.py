@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ..model.formats import MotionFormat
 from .layout import file_name
-from .manifest.store import ManifestEntry, State
+from .manifest.entries import ManifestEntry, State
 from .reports.html_report import Thumbnail
 from .reports.writing import in_order_of_attention
 from .work.jobs import LineJob, OutputTarget

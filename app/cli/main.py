@@ -84,9 +84,9 @@ AGITATION_MODEL = "UNDERSTUDY_AGITATION_MODEL"
 @contextmanager
 def set_by(arguments: argparse.Namespace) -> Iterator[None]:
     """Sets the environment variables of `--lexicon` and `--agitation-model` within the block."""
-    told = dict(_told(arguments))
-    before = {name: os.environ.get(name) for name in told}
-    os.environ.update(told)
+    variables = dict(_told(arguments))
+    before = {name: os.environ.get(name) for name in variables}
+    os.environ.update(variables)
     try:
         yield
     finally:

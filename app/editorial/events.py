@@ -162,7 +162,7 @@ def to_event_table(events: Sequence[TimelineEvent], *, clock_starts_s: float) ->
     writer.writerow((*COLUMNS, *REASONS))
     for event in events:
         times_s = [event.start_s, *(event.points.get(point) for point in POINTS), event.end_s]
-        told = ["" if time_s is None else f"{time_s - clock_starts_s:.3f}" for time_s in times_s]
+        times = ["" if time_s is None else f"{time_s - clock_starts_s:.3f}" for time_s in times_s]
         named = (event.tier, event.id, event.label)
-        writer.writerow((*named, *told, event.hand, event.first, event.last, event.text, event.function, event.rule))
+        writer.writerow((*named, *times, event.hand, event.first, event.last, event.text, event.function, event.rule))
     return content.getvalue().encode()

@@ -92,12 +92,12 @@ def _replaced(behavior: Behavior, entry: BehaviorEntry, hand: Hand | None) -> Be
     until_s = sync.end if sync.relax is None else sync.relax
     struck_s = next(each for each in (sync.stroke, sync.ready, sync.start) if each is not None)
     ahead_s = (timing.alignment - timing.emphasis) * timing.stroke.usual_s if stroked else 0.0
-    placing = TimingBasis(timing, max(0.0, struck_s + ahead_s), until_s, stroked)
+    basis = TimingBasis(timing, max(0.0, struck_s + ahead_s), until_s, stroked)
     return replace(
         behavior,
         lexeme=entry.lexeme,
         hand=hand,
-        sync=_timed(placing, entry.channel),
+        sync=_timed(basis, entry.channel),
         target=entry.target or (behavior.target if entry.lexeme == behavior.lexeme else None),
         direction=entry.direction,
         amount=entry.amount if behavior.amount is None or entry.channel is Channel.GAZE else behavior.amount,
@@ -106,11 +106,11 @@ def _replaced(behavior: Behavior, entry: BehaviorEntry, hand: Hand | None) -> Be
     )
 
 
-def _timed(placing: TimingBasis, channel: Channel) -> SyncPoints:
+def _timed(basis: TimingBasis, channel: Channel) -> SyncPoints:
     """The phases; those for which there is no time before the stroke begin with the performance."""
-    sync = placed(placing, Window())
+    sync = placed(basis, Window())
     if sync is None:
-        sync = placed(underway(placing) if channel is Channel.GESTURE else soonest(placing), Window())
+        sync = placed(underway(basis) if channel is Channel.GESTURE else soonest(basis), Window())
     assert sync is not None, "what begins at 0 has room"
     return sync
 

@@ -30,8 +30,8 @@ def find_word(reference: WordReference, words: Sequence[Word]) -> int | None:
 
 def word_gone(where: str, reference: WordReference) -> Notice:
     """The notice that a word is no longer in the line."""
-    told = f"word {reference.word}" if reference.text is None else f"the word {reference.text!r}"
-    return Notice("edit_word_gone", f"{where}: {told} is no longer in the line; this edit is left out")
+    named = f"word {reference.word}" if reference.text is None else f"the word {reference.text!r}"
+    return Notice("edit_word_gone", f"{where}: {named} is no longer in the line; this edit is left out")
 
 
 def with_marked(
@@ -176,8 +176,8 @@ def _at(phone: Phone, shifted: Callable[[float], float]) -> Phone:
 
 def _moved(number: int, word: Word) -> Notice:
     assert word.interval is not None, "corrected words have times"
-    told = f"{word.interval.start_s:.3f} to {word.interval.end_s:.3f} s"
-    return Notice("edit_word_moved", f"words[{number}]: {word.text!r} can only be at {told} beside its neighbours")
+    span = f"{word.interval.start_s:.3f} to {word.interval.end_s:.3f} s"
+    return Notice("edit_word_moved", f"words[{number}]: {word.text!r} can only be at {span} beside its neighbours")
 
 
 SHORTEST_WORD_S = 0.02

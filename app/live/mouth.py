@@ -63,7 +63,7 @@ class MouthModel:
         except (OSError, KeyError, ValueError, EOFError, zipfile.BadZipFile) as error:
             raise ServiceError("model_unreadable", f"{path} is not a model of the mouth: {error}") from None
         if weights.shape != (FEATURES, len(names)) or bias.shape != (len(names),) or not set(names) <= set(OPENINGS):
-            raise ServiceError("model_unreadable", f"{path}: it is made for other measures; retrain it")
+            raise ServiceError("model_unreadable", f"{path}: it was trained on other measures; retrain it")
         return cls(names, weights, bias)
 
 

@@ -93,7 +93,7 @@ class LiveSession:
         from now."""
         begin_s = timed[0].interval.start_s
         if abs(begin_s - self.heard_s) > MOST_AHEAD_S:
-            message = f"words: from {begin_s:g} s on; now is {self.heard_s:.2f} s of the stream"
+            message = f"words: they begin at {begin_s:g} s, too far from the stream's {self.heard_s:.2f} s"
             raise InputError("value_wrong", message, field="words")
         return tuple(self._perform(timed_words(self._models, timed, self._recent)))
 

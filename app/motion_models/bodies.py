@@ -109,8 +109,8 @@ def _places(bvh: Bvh, name: str, rigs: Mapping[str, Rig]) -> dict[str, int]:
         has = ", ".join(joint.name for joint in bvh.joints[:12])
         raise InputError(
             "bvh_wrong",
-            f"{name}: no joint for {', '.join(missing)} by the names of any rig ({', '.join(rigs)}); it has {has}, …; "
-            "add your rig's names as retarget/NAME.yaml to a folder for --lexicon",
+            f"{name}: no joint for {', '.join(missing)} under the names of any rig ({', '.join(rigs)}); it has {has}, "
+            "…; add your rig's names as retarget/NAME.yaml to a folder for --lexicon",
         )
     top = bvh.joints[best.get("leftShoulder", best["leftUpperArm"])].parent
     return best | ({"upperChest": top} if top > best["hips"] else {})

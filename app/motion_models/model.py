@@ -146,10 +146,10 @@ class MotionModel:
                 arrays = dict(file)
             form = int(arrays["form"])
             if form != FORM:
-                raise ValueError(f"its form is {form}, and {FORM} is read: retrain it")
+                raise ValueError(f"its format is {form}, not {FORM}: retrain it")
             return _read(arrays)
         except MemoryError:
-            raise InputError("motion_model", f"{name}: has more than fits into memory", field="motion_model") from None
+            raise InputError("motion_model", f"{name}: too large for memory", field="motion_model") from None
         except (KeyError, ValueError, TypeError, EOFError, IndexError, zipfile.BadZipFile, zlib.error) as error:
             message = f"{name}: not a motion model (understudy motion-model train writes one): {error}"
             raise InputError("motion_model", message, field="motion_model") from None
@@ -236,7 +236,7 @@ def _check(numbers: Mapping[str, FloatArray], joints: int) -> None:
     for name, array in numbers.items():
         is_logarithm = name.rpartition("/")[2].startswith("log_")
         if not np.isfinite(np.where(array == -np.inf, 0.0, array) if is_logarithm else array).all():
-            raise ValueError(f"{name} has numbers that are none")
+            raise ValueError(f"{name} has values that are not finite numbers")
     kinds, motion, states = len(numbers["log_initial"]), numbers["motion"], numbers["unit_state"]
     by_kind = [each for name, each in numbers.items() if name.startswith("log_") or "/" in name]
     if numbers["log_transition"].shape != (kinds, kinds) or any(len(each) != kinds for each in by_kind):

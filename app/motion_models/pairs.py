@@ -120,8 +120,10 @@ def _points(path: Path) -> tuple[FloatArray, FloatArray, BodyTrack]:
     body = arrays["body"].astype(np.float64)
     joints = [str(joint) for joint in arrays["joints"]]
     if body.ndim != 3 or body.shape[1] != len(joints) or body.shape[2] < 3 or len(body) != len(arrays["body_time_s"]):
-        told = "×".join(map(str, body.shape))
-        message = f"`body` is {told}; it must be frames × {len(joints)} joints × 3 or 4, a frame for each `body_time_s`"
+        shape = "×".join(map(str, body.shape))
+        message = (
+            f"`body` is {shape}; it must be frames × {len(joints)} joints × 3 or 4, a frame for each `body_time_s`"
+        )
         raise InputError("pairs_wrong", f"{path}: {message}")
     seen = np.isfinite(body[..., :3]).all(axis=(1, 2))
     if seen.sum() < 2:
@@ -158,7 +160,7 @@ def _mistakes(arrays: Mapping[str, FloatArray]) -> Iterator[str]:
     elif not (np.isfinite(arrays["body_time_s"]).all() and (np.diff(arrays["body_time_s"]) > 0).all()):
         yield "`body_time_s` are seconds, each later than the one before"
     if not np.isfinite(arrays["envelope"]).all():
-        yield "`envelope` has numbers that are none"
+        yield "`envelope` has values that are not finite numbers"
     if (arrays["f0_hz"] < 0).any():
         yield "`f0_hz` is below 0; NaN is unvoiced"
     if numbers["width_to_height"].size != 1 or not 0 < float(numbers["width_to_height"]) < np.inf:

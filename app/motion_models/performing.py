@@ -58,8 +58,8 @@ def replaced_behaviors(model: MotionModel, schedule: Schedule) -> tuple[Schedule
     """The schedule without the behaviours of parts that the model moves, and what was left out."""
     dropped = [each for each in schedule.behaviors if _is_replaced(each, model.joints)]
     kept = tuple(each for each in schedule.behaviors if not _is_replaced(each, model.joints))
-    told = "the motion model moves that part of the body"
-    return replace(schedule, behaviors=kept), tuple(Decision(each.id, "replaced", told) for each in dropped)
+    message = "the motion model moves that part of the body"
+    return replace(schedule, behaviors=kept), tuple(Decision(each.id, "replaced", message) for each in dropped)
 
 
 def _is_replaced(behavior: Behavior, joints: Sequence[str]) -> bool:

@@ -71,7 +71,7 @@ def learn(pairs: Sequence[Pair], learning: Learning = Learning(), progress: Prog
     progress(f"cluster into {kinds} kinds")
     movements = MotionSegmenter(mean, deviation, learn_branches(scaled, kinds, seed=learning.seed))
     paths = [movements.branches.segment(stream) for stream in scaled]
-    progress("learn when they come")
+    progress("learn when they occur")
     model = _model(pairs, paths, kinds, learning.seed)
     return Learnt(model, movements, tuple(paths))
 

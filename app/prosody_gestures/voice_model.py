@@ -101,7 +101,7 @@ def _arrays(part: PartModel) -> dict[str, FloatArray]:
 def _read(arrays: dict[str, FloatArray], part: str) -> PartModel:
     mean, scale, weights = (arrays[f"{part}/{name}"].astype(np.float64) for name in _DISCRIMINANTS)
     if len(mean) != WIDTH:
-        raise ValueError(f"it observes {len(mean)} numbers of {part}, and we measure {WIDTH}: retrain it")
+        raise ValueError(f"it observes {len(mean)} numbers of {part}, not {WIDTH}: retrain it")
     emissions = MixtureEmissions(*(arrays[f"{part}/{name}"].astype(np.float64) for name in _EMISSIONS))
     initial, transition, duration = (arrays[f"{part}/{name}"].astype(np.float64) for name in _MODEL)
     states = tuple(str(state) for state in arrays[f"{part}/states"])

@@ -26,7 +26,7 @@ def read_mpeg4(
     fap = read_parameter_file(face[1], FAPS, face[0]) if face else ReadParameters("", 0.0, 0, {})
     if bap is not None and face is not None and (bap.frames, bap.rate_hz) != (fap.frames, fap.rate_hz):
         told = [f"{each.frames} frames at {each.rate_hz:g} a second" for each in (bap, fap)]
-        raise InputError("mpeg4_wrong", f"body and face do not go together: {' and '.join(told)}", field="bml")
+        raise InputError("mpeg4_wrong", f"body and face do not match: {' and '.join(told)}", field="bml")
     moved = from_bap(bap, skeleton) if bap else None
     if bap is not None and face is None:
         fap = ReadParameters(bap.version, bap.rate_hz, bap.frames, {})

@@ -283,4 +283,4 @@ def _targets_m(schedule: Schedule, skeleton: Skeleton) -> dict[str, Position]:
 
 def _unknown_body(realizer: Realizer, character: str) -> Iterator[Decision]:
     if realizer.performers and character not in realizer.performers:
-        yield Decision("", "replaced", f"no character is called {character!r}: an average body moves")
+        yield Decision("", "replaced", f"no character is called {character!r}: an average body is used")

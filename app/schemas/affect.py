@@ -23,24 +23,24 @@ def constant_affect(affect: Affect) -> AffectTrack:
     return AffectTrack((0.0,), (affect,))
 
 
-def read_affect(told: str) -> AffectTrack:
+def read_affect(text: str) -> AffectTrack:
     """The feeling of a tone's name or of "activation,valence,dominance"; raises InputError `affect_wrong`."""
-    if told.strip() in set(Tone):
-        return constant_affect(affect_of_tone(Tone(told.strip())))
-    numbers = told.split(",")
+    if text.strip() in set(Tone):
+        return constant_affect(affect_of_tone(Tone(text.strip())))
+    numbers = text.split(",")
     if len(numbers) != 3:
-        raise _wrong(f"{shown(told)} is neither a tone nor three numbers")
-    return constant_affect(affect_of_dimensions(*(_number(part, told) for part in numbers)))
+        raise _wrong(f"{shown(text)} is neither a tone nor three numbers")
+    return constant_affect(affect_of_dimensions(*(_number(part, text) for part in numbers)))
 
 
-def affect_track(told: str | Sequence[float] | Sequence[Sequence[float]]) -> AffectTrack:
+def affect_track(given: str | Sequence[float] | Sequence[Sequence[float]]) -> AffectTrack:
     """The feeling in JSON: a tone, three numbers, or a track of rows of four; raises InputError `affect_wrong`."""
-    if isinstance(told, str):
-        return read_affect(told)
-    rows = [row for row in told if isinstance(row, Sequence)]
+    if isinstance(given, str):
+        return read_affect(given)
+    rows = [row for row in given if isinstance(row, Sequence)]
     if rows:
         return _track([[str(number) for number in row] for row in rows], "row ")
-    return read_affect(",".join(map(str, told)))
+    return read_affect(",".join(map(str, given)))
 
 
 def affect_rows(track: AffectTrack) -> str | list[list[float]]:

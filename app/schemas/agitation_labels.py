@@ -42,8 +42,8 @@ def read_labels(content: bytes, table: Path) -> tuple[LabelledRecording, ...]:
         raise _wrong(f"{table}: not CSV in UTF-8 ({error}); save it as CSV in UTF-8") from None
     header = [cell.strip().lower() for cell in rows[0]] if rows else []
     if missing := [name for name in COLUMNS if name not in header]:
-        told = f"{table}:1: the column {missing[0]} is missing{did_you_mean(missing[0], header)}"
-        raise _wrong(f"{told}; the first line must name {', '.join(COLUMNS)}")
+        message = f"{table}:1: the column {missing[0]} is missing{did_you_mean(missing[0], header)}"
+        raise _wrong(f"{message}; the first line must name {', '.join(COLUMNS)}")
     if len(rows) > MOST_ROWS:
         raise _wrong(f"{table}: {len(rows)} lines; {MOST_ROWS} at most")
     places = [header.index(name) for name in COLUMNS]
@@ -77,8 +77,8 @@ def _read(row: list[str], places: list[int], where: str, folder: Path) -> Labell
     return LabelledRecording(folder / file, speaker, (memberships[0], memberships[1], memberships[2]))
 
 
-def _levels(told: str) -> Iterator[Level | None]:
-    return (NAMES.get(part.strip().lower()) for part in told.split("/"))
+def _levels(text: str) -> Iterator[Level | None]:
+    return (NAMES.get(part.strip().lower()) for part in text.split("/"))
 
 
 def _wrong(message: str) -> InputError:

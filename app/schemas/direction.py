@@ -146,8 +146,8 @@ def read_direction(content: bytes) -> Direction:
     try:
         return DirectionRequest.model_validate(fields).to_direction()
     except ValidationError as error:
-        told = mistakes_told(error, most=_MOST_IN_MESSAGE)
-    raise InputError("direction_wrong", f"{FIELD}: {told}", field=FIELD)
+        listed = mistakes_told(error, most=_MOST_IN_MESSAGE)
+    raise InputError("direction_wrong", f"{FIELD}: {listed}", field=FIELD)
 
 
 def direction_fields(direction: Direction) -> dict[str, Any]:

@@ -47,18 +47,18 @@ def _counted(edits: object) -> object:
     return edits
 
 
-def _affect_given(told: object) -> object:
+def _affect_given(given: object) -> object:
     """The JSON of a feeling, or of a value that is to be written."""
-    return affect_rows(told) if isinstance(told, AffectTrack) else told
+    return affect_rows(given) if isinstance(given, AffectTrack) else given
 
 
-def _usable_affect(told: AffectValue) -> AffectValue:
+def _usable_affect(given: AffectValue) -> AffectValue:
     """Raises ValueError for a value that is not a feeling."""
     try:
-        affect_track(told)
+        affect_track(given)
     except InputError as error:
         raise ValueError(error.message) from None
-    return told
+    return given
 
 
 _Affect = Annotated[AffectValue, BeforeValidator(_affect_given), AfterValidator(_usable_affect)]
@@ -147,9 +147,9 @@ class BehaviorEditForm(_EditForm):
 
     @model_validator(mode="after")
     def _makes_sense(self) -> Self:
-        told = "; ".join(self._mistakes())
-        if told:
-            raise ValueError(told)
+        listed = "; ".join(self._mistakes())
+        if listed:
+            raise ValueError(listed)
         return self
 
     def _mistakes(self) -> list[str]:
@@ -157,8 +157,8 @@ class BehaviorEditForm(_EditForm):
         says = [name for name in ("lexeme", "hand", "amount", "direction", "omit") if getattr(self, name) is not None]
         named = self.lexeme or (self.of.lexeme if self.of else None)
         found = {
-            "give either of, or both add and on": (self.of is None) == (self.add is None),
-            "give on with add, and not with of": (self.add is None) != (self.on is None),
+            "give either `of`, or both `add` and `on`": (self.of is None) == (self.add is None),
+            "`on` goes with `add`, not with `of`": (self.add is None) != (self.on is None),
             "what is added needs a lexeme": self.add is not None and self.lexeme is None,
             "a lock needs a lexeme, its own or that of `of`": self.lock and named is None,
             "an edit with omit takes no other fields": self.omit is not None and (len(says) > 1 or self.lock),
@@ -206,7 +206,7 @@ class WordEditForm(_EditForm):
     @model_validator(mode="after")
     def _makes_sense(self) -> Self:
         if (self.start_s is None) != (self.end_s is None):
-            raise ValueError("start_s and end_s go together")
+            raise ValueError("give start_s and end_s together")
         if self.start_s is not None and self.end_s is not None and self.start_s >= self.end_s:
             raise ValueError(f"it starts at {self.start_s:g} s and ends at {self.end_s:g} s")
         if self.start_s is None and self.mark is None:
@@ -256,8 +256,8 @@ def read_edits(content: bytes) -> Edits:
     try:
         return EditsForm.model_validate(fields).to_value()
     except ValidationError as error:
-        told = mistakes_told(error, most=_MOST_IN_MESSAGE)
-    raise InputError("edits_wrong", f"{FIELD}: {told}", field=FIELD)
+        listed = mistakes_told(error, most=_MOST_IN_MESSAGE)
+    raise InputError("edits_wrong", f"{FIELD}: {listed}", field=FIELD)
 
 
 def write_edits(edits: Edits) -> bytes:

@@ -108,8 +108,8 @@ class CharacterResponse(ResponseModel):
             "gestures": figure.manner,
             "behaviors": list(character.entries.values()),
         }
-        told = {name: getattr(character, name) for name in cls.model_fields if name not in others}
-        return cls.model_validate({**told, **others})
+        taken = {name: getattr(character, name) for name in cls.model_fields if name not in others}
+        return cls.model_validate({**taken, **others})
 
 
 class CharactersResponse(ResponseModel):

@@ -126,18 +126,18 @@ def read_samples(content: bytes, channels: int) -> FloatArray:
 
 def to_ready(options: LiveOptions, joints: tuple[str, ...]) -> str:
     """The answer to the start: with frames, the order of their numbers."""
-    told: dict[str, Any] = {"type": "ready", "sample_rate_hz": options.sample_rate_hz, "character": options.character}
+    fields: dict[str, Any] = {"type": "ready", "sample_rate_hz": options.sample_rate_hz, "character": options.character}
     if joints:
-        told |= {"frames": options.frame_rate_hz, "joints": joints, "shapes": SHAPES}
-    return json.dumps(told)
+        fields |= {"frames": options.frame_rate_hz, "joints": joints, "shapes": SHAPES}
+    return json.dumps(fields)
 
 
-def to_json(told: LiveMessage) -> str:
+def to_json(message: LiveMessage) -> str:
     """A message of the service: the behaviour's kind is its type (`gesture`, `head`, `face`, `gaze`, `eyes`,
     `posture`), else `withdrawn`, `mouth`, `phrase` of a motion model, `frame`."""
-    match told:
+    match message:
         case BodyFrame():
-            return _frame(told)
+            return _frame(message)
         case MouthMessage(shape=shape, heard_s=heard_s):
             fields = {"start_s": shape.at_s, "viseme": shape.viseme, "articulation": shape.articulation}
             return _json("mouth", heard_s, fields | {"opening": shape.opening})
@@ -146,8 +146,8 @@ def to_json(told: LiveMessage) -> str:
             return _json("phrase", heard_s, fields)
         case WithdrawalMessage(id=name, heard_s=heard_s):
             return _json("withdrawn", heard_s, {"id": name})
-    fields = _behavior(told.behavior) | ({"revised": True} if told.revised else {})
-    return _json(told.behavior.kind.value, told.heard_s, fields)
+    fields = _behavior(message.behavior) | ({"revised": True} if message.revised else {})
+    return _json(message.behavior.kind.value, message.heard_s, fields)
 
 
 def to_frames_skipped(count: int) -> str:
@@ -163,8 +163,8 @@ def to_done(heard_s: float) -> str:
 def to_error(error: UnderstudyError, *, goes_on: bool = False) -> str:
     """What went wrong; the stream is over unless it `goes_on`."""
     field = error.field if isinstance(error, InputError) else None
-    told = {"type": "error", "code": error.code, "detail": error.message, "goes_on": goes_on}
-    return json.dumps(told | ({"field": field} if field else {}))
+    fields = {"type": "error", "code": error.code, "detail": error.message, "goes_on": goes_on}
+    return json.dumps(fields | ({"field": field} if field else {}))
 
 
 def _json(kind: str, heard_s: float, fields: dict[str, Any]) -> str:
@@ -186,5 +186,5 @@ def _frame(frame: BodyFrame) -> str:
     rotations = np.round(frame.rotations.ravel(), _ROTATION_DECIMALS).tolist()
     hips = np.round(frame.hips_m, _WEIGHT_DECIMALS).tolist()
     shapes = np.round(frame.shapes, _WEIGHT_DECIMALS).tolist()
-    told = {"type": "frame", "time_s": round(frame.at_s, 4), "rotations": rotations, "hips_m": hips, "shapes": shapes}
-    return json.dumps(told, separators=(",", ":"))
+    fields = {"type": "frame", "time_s": round(frame.at_s, 4), "rotations": rotations, "hips_m": hips, "shapes": shapes}
+    return json.dumps(fields, separators=(",", ":"))

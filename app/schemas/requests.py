@@ -126,9 +126,9 @@ def checked(model: type[Checked], fields: dict[str, Any]) -> Checked:
         return model.model_validate(fields)
     except ValidationError as error:
         found = error.errors()
-    told = [f"{'.'.join(_where(each)) or repr('')}: {_reason(each, model)}" for each in found[:MOST_WRONG]]
+    mistakes = [f"{'.'.join(_where(each)) or repr('')}: {_reason(each, model)}" for each in found[:MOST_WRONG]]
     more = [f"and {len(found) - MOST_WRONG} more"] if len(found) > MOST_WRONG else []
-    raise InputError("value_wrong", "; ".join((*told, *more)), field=_where(found[0])[0])
+    raise InputError("value_wrong", "; ".join((*mistakes, *more)), field=_where(found[0])[0])
 
 
 def _where(found: ErrorDetails) -> list[str]:
@@ -153,8 +153,8 @@ _OURS = "Value error, "
 def mistakes_told(error: ValidationError, *, most: int) -> str:
     """The first `most` mistakes, and how many more there are."""
     found = error.errors(include_url=False)
-    told = "; ".join(_told(tuple(each["loc"]), each["msg"].removeprefix(_OURS)) for each in found[:most])
-    return f"{told}; and {len(found) - most} more" if len(found) > most else told
+    listed = "; ".join(_told(tuple(each["loc"]), each["msg"].removeprefix(_OURS)) for each in found[:most])
+    return f"{listed}; and {len(found) - most} more" if len(found) > most else listed
 
 
 def _told(location: tuple[int | str, ...], message: str) -> str:

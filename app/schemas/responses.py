@@ -184,15 +184,15 @@ class PerformResponse(ResponseModel):
         speech_file: SpeechFile | None = None,
         contours: Contours | None = None,
     ) -> Self:
-        told = PerformanceResponse.of_performance(performance)
+        response = PerformanceResponse.of_performance(performance)
         heard = {name: block.decode() for name, block in listeners.items()}
         return cls(
             bml=bml.decode(),
             speech_file=None if speech_file is None else SpeechFileResponse.of(speech_file),
             listeners=heard or None,
-            performance=told,
+            performance=response,
             contours=None if contours is None else ContoursResponse.of(contours),
-            warnings=told.warnings,
+            warnings=response.warnings,
         )
 
 

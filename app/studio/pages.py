@@ -190,8 +190,8 @@ def _files(folder: str | Path) -> Iterator[tuple[str, int]]:
 
 @lru_cache(maxsize=1)
 def _version_of(files: tuple[tuple[str, int], ...]) -> str:
-    told = "".join(f"{name} {_asset(Path(name), changed_ns).etag}" for name, changed_ns in files)
-    return f"{hashlib.sha256(told.encode()).hexdigest()[:16]}/"
+    listed = "".join(f"{name} {_asset(Path(name), changed_ns).etag}" for name, changed_ns in files)
+    return f"{hashlib.sha256(listed.encode()).hexdigest()[:16]}/"
 
 
 def _line(opened: OpenedLine | OpenedScene | None) -> OpenedLine:
@@ -202,8 +202,8 @@ def _line(opened: OpenedLine | OpenedScene | None) -> OpenedLine:
 
 def content_policy(page: bytes) -> str:
     """What browsers let `page` do: run the service's own scripts and its import map, and ask nobody else."""
-    told = {"script-src": _hashes(_IMPORT_MAP, page), "style-src": _hashes(_STYLE, page)}
-    own = {name: " ".join(["'self'", *hashes]) for name, hashes in told.items()}
+    directives = {"script-src": _hashes(_IMPORT_MAP, page), "style-src": _hashes(_STYLE, page)}
+    own = {name: " ".join(["'self'", *hashes]) for name, hashes in directives.items()}
     return "; ".join(f"{name} {sources}" for name, sources in {**_SOURCES, **own}.items())
 
 
@@ -225,14 +225,14 @@ def _file_at(path: str) -> Path:
 
 def _sent(request: Request, asset: _Asset, suffix: str, headers: Mapping[str, str]) -> Response:
     """What is asked for, or that it is what the browser has."""
-    told = {"ETag": asset.etag, "Vary": "Accept-Encoding", **headers}
+    sent = {"ETag": asset.etag, "Vary": "Accept-Encoding", **headers}
     if request.headers.get("if-none-match") == asset.etag:
-        return Response(status_code=304, headers=told)
+        return Response(status_code=304, headers=sent)
     media_type = MEDIA_TYPES[suffix]
     packed = _packed(asset.content) if "gzip" in request.headers.get("accept-encoding", "") else None
     if packed is not None:
-        return Response(packed, media_type=media_type, headers=told | {"Content-Encoding": "gzip"})
-    return Response(asset.content, media_type=media_type, headers=told)
+        return Response(packed, media_type=media_type, headers=sent | {"Content-Encoding": "gzip"})
+    return Response(asset.content, media_type=media_type, headers=sent)
 
 
 def _asset_at(file: Path) -> _Asset:

@@ -29,7 +29,9 @@ class OpenedScene:
             message = f"{path}: cannot be read: {error.strerror}; give the folder that understudy batch wrote to"
             raise InputError("file_unreadable", message, field="scene") from None
         except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
-            raise InputError("scene_wrong", f"{path}: is no index of understudy batch", field="scene") from None
+            raise InputError(
+                "scene_wrong", f"{path}: not an index that understudy batch wrote", field="scene"
+            ) from None
 
     def file(self, name: str) -> Path | None:
         """The file of that name; None where the index does not name it, or it is not in the folder."""

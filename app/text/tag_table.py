@@ -42,9 +42,9 @@ class TagTable:
     def functions_of(self, tag: str, attributes: Mapping[str, str]) -> Iterator[tuple[str, str]]:
         """The class and subtype of each function that a tag's attributes name; values count in any case."""
         for attribute, value in attributes.items():
-            told = self.meanings.get(tag, {}).get(attribute, {}).get(value.strip().lower())
-            if told is not None:
-                yield _parts(told)
+            meaning = self.meanings.get(tag, {}).get(attribute, {}).get(value.strip().lower())
+            if meaning is not None:
+                yield _parts(meaning)
 
     def function_named(self, tag: str) -> tuple[str, str] | None:
         """The class and subtype of the function that a tag names whatever its attributes are."""
@@ -71,6 +71,6 @@ def _told(file: _TagFile) -> Iterator[tuple[tuple[str, ...], str]]:
         yield ("by_name", tag), told
 
 
-def _parts(told: str) -> tuple[str, str]:
-    name, _, subtype = told.partition(".")
+def _parts(text: str) -> tuple[str, str]:
+    name, _, subtype = text.partition(".")
     return name, subtype or PLAIN

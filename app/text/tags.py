@@ -207,7 +207,7 @@ def _function(found: _TextSoFar, tag: _OpenTag, words: range) -> None:
 def _gesture(found: _TextSoFar, tag: _OpenTag, words: range) -> None:
     name = next((tag.attributes[each] for each in ("name", "lexeme", "type") if tag.attributes.get(each)), None)
     if not words:
-        raise _misread(tag.where, "<gesture> has no words; put those inside on which it comes")
+        raise _misread(tag.where, "<gesture> has no words; put the words that it accompanies inside")
     by = f"the tag <gesture> in {tag.where}"
     found.demands.append(Demand(name or GENERIC_GESTURE, words[0], words[-1], always=True, by=by))
 
@@ -225,12 +225,12 @@ _TAKEN: Mapping[str, Callable[[_TextSoFar, _OpenTag, range], None]] = MappingPro
 )
 
 
-def _seconds(tag: _OpenTag, attribute: str, told: str) -> float:
-    found = _TIME.fullmatch(told.strip().lower())
+def _seconds(tag: _OpenTag, attribute: str, text: str) -> float:
+    found = _TIME.fullmatch(text.strip().lower())
     lasts_s = float(found[1]) / (1000 if found[2] == "ms" else 1) if found else -1.0
     if not 0 <= lasts_s <= _LONGEST_PAUSE_S:
         advice = f"give seconds up to {_LONGEST_PAUSE_S:g}, as 0.3s or 300ms"
-        raise _misread(tag.where, f"<{tag.name} {attribute}={shown(told)}>; {advice}")
+        raise _misread(tag.where, f"<{tag.name} {attribute}={shown(text)}>; {advice}")
     return lasts_s
 
 

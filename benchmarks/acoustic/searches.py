@@ -20,7 +20,7 @@ from training.alignment.timit import read_sentences
 from understudy.acoustic.alignment.decoder_process import FRAMES_PER_S, pcm
 from understudy.acoustic.alignment.decoder_worker import NARROW, WIDE, BeamSearch, HeardPhones, Recognizer
 from understudy.acoustic.pronunciation.normalisation import Normaliser
-from understudy.acoustic.pronunciation.pronunciation import Pronouncer
+from understudy.acoustic.pronunciation.pronouncer import Pronouncer
 from understudy.model import FloatArray
 from understudy.text.transcript import read_transcript
 

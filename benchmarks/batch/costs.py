@@ -33,20 +33,20 @@ def main() -> None:
         assert outcome.measures is not None, outcome.failure
         length_s = outcome.measures.duration_s
         bare_s = _seconds(plain, models)
-        told = {"performed": bare_s, "with a listener": _seconds(_heard(plain), models) - bare_s}
+        costs = {"performed": bare_s, "with a listener": _seconds(_heard(plain), models) - bare_s}
         motion_s = _seconds(_in(plain, MotionFormat.CSV), models) - bare_s
-        told["motion and csv"] = motion_s
-        told["motion and csv of a listener"] = (
+        costs["motion and csv"] = motion_s
+        costs["motion and csv of a listener"] = (
             _seconds(_in(_heard(plain), MotionFormat.CSV), models) - bare_s - motion_s
         )
         for form in FORMATS:
             if form not in LEFT_OUT:
                 before_s = motion_s if isinstance(form, MotionFormat) else 0.0
-                told[extension_of(form)] = _seconds(_in(plain, form), models) - bare_s - before_s
+                costs[extension_of(form)] = _seconds(_in(plain, form), models) - bare_s - before_s
         start_s = process_time()
         learn_reference(ReferenceJob("nobody", (AudioSource(audio),)), models.acoustic)
-        told["learning a voice"] = process_time() - start_s
-    for name, seconds in told.items():
+        costs["learning a voice"] = process_time() - start_s
+    for name, seconds in costs.items():
         print(f"{name:32s} {seconds / length_s:7.4f} s/s {seconds:7.3f} s")
 
 

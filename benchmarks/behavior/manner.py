@@ -65,15 +65,15 @@ def of_delivery(understudy: Understudy, folder: Path, line: Mapping[str, Any]) -
     audio = (folder / "audio" / f"{line['id']}.flac").read_bytes()
     performance = perform(understudy, Line(audio, text), Options())
     manners = performance.utterance.manners
-    told = {
+    figures = {
         "voice's amplitude": float(np.mean([manner.amplitude for manner in manners])),
         "voice's speed": float(np.mean([manner.speed for manner in manners])),
     }
     played = list(strokes(performance, understudy.realizer))
     if played:
         path_m, peak_m_s = np.mean(played, axis=0).tolist()
-        told |= {"amplitude": path_m, "speed": peak_m_s}
-    return told
+        figures |= {"amplitude": path_m, "speed": peak_m_s}
+    return figures
 
 
 def main() -> None:

@@ -65,8 +65,8 @@ def _times_s(performance: Performance, form: BmlForm) -> tuple[float, float]:
     writing_s = median(_seconds(lambda: write_bml(performance, form)) for _ in range(ROUNDS))
     reading_s = median(_seconds(lambda: read_bml(content, WRITTEN)) for _ in range(ROUNDS))
     same = write_bml(performance, form) == content and document == read_bml(content, WRITTEN)[0]
-    told = f"{form.dialect} {form.timing}: {len(content)} bytes"
-    print(f"{told:44s} write {writing_s * 1e3:5.2f} ms  read {reading_s * 1e3:5.2f} ms  same again: {same}")
+    row = f"{form.dialect} {form.timing}: {len(content)} bytes"
+    print(f"{row:44s} write {writing_s * 1e3:5.2f} ms  read {reading_s * 1e3:5.2f} ms  same again: {same}")
     return writing_s, reading_s
 
 

@@ -52,8 +52,8 @@ def _outcome(realizer: Realizer, path: Path) -> str:
     except Exception as error:  # noqa: BLE001 - what is counted
         print(f"broken: {path}: {error!r}")
         return "broken"
-    told = Counter(notice.code for notice in realized.motion.notices)
-    print(f"realized: {path.name}: " + ", ".join(f"{count} × {code}" for code, count in sorted(told.items())))
+    codes = Counter(notice.code for notice in realized.motion.notices)
+    print(f"realized: {path.name}: " + ", ".join(f"{count} × {code}" for code, count in sorted(codes.items())))
     return "realized"
 
 

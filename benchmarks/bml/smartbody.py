@@ -62,9 +62,9 @@ def _mistakes(performance: Performance, form: BmlForm) -> Iterator[str]:
     act, beside = write_bml(performance, form), write_speech_file(performance, form)
     yield from check_act(act, frozenset(listening.name for listening in performance.listeners))
     yield from check_speech_file(beside.content, act) if beside else ("no speech file",)
-    told = [notice.code for notice in losses(performance, form)]
-    if told != ([] if performance.listeners else ["smartbody_gaze"]):
-        yield f"notices {told}"
+    codes = [notice.code for notice in losses(performance, form)]
+    if codes != ([] if performance.listeners else ["smartbody_gaze"]):
+        yield f"notices {codes}"
 
 
 def _count_gestures() -> None:

@@ -88,10 +88,8 @@ def report(name: str, found: Sequence[Found]) -> None:
     hits = sum(map(len, pairs))
     shifted = sum(len(list(_matched(each.known, tuple(_later(each))))) for each in found)
     starts, ends = ([getattr(b, at) - getattr(a, at) for own in pairs for a, b in own] for at in ("start_s", "end_s"))
-    told = (
-        f"{hits / known:8.0%}{shifted / known:8.0%}{hits / proposed:10.0%}{median(starts):+10.2f}{median(ends):+8.2f}"
-    )
-    print(f"{name:18}{known:8}{proposed:9}{told}")
+    row = f"{hits / known:8.0%}{shifted / known:8.0%}{hits / proposed:10.0%}{median(starts):+10.2f}{median(ends):+8.2f}"
+    print(f"{name:18}{known:8}{proposed:9}{row}")
 
 
 def _later(found: Found) -> Iterator[Interval]:

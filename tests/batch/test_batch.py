@@ -12,8 +12,8 @@ import soundfile
 
 import understudy
 from understudy.batch.batch import Nobody, run_batch
+from understudy.batch.manifest.entries import ManifestEntry, State
 from understudy.batch.manifest.hashes import installation_hash
-from understudy.batch.manifest.store import ManifestEntry, State
 from understudy.batch.planning import BatchRequest
 from understudy.batch.work.formats import LineFormat
 from understudy.bml.writing.writer import write_bml

@@ -138,7 +138,7 @@ def test_what_is_wrong_with_a_folder_is_told(tmp_path: Path, capsys: Captured, w
 @pytest.mark.parametrize(
     ("name", "array", "told"),
     [
-        ("envelope", np.full(1200, np.nan), "`envelope` has numbers that are none"),
+        ("envelope", np.full(1200, np.nan), "`envelope` has values that are not finite numbers"),
         ("f0_hz", np.full(1200, -100.0), "`f0_hz` is below 0; NaN is unvoiced"),
         ("f0_hz", np.full(1200, "low"), "`f0_hz` has no numbers"),
         ("f0_hz", np.ones((1200, 2)), "are one number each for a frame"),
@@ -164,7 +164,7 @@ def test_arrays_that_cannot_be_are_told(
 @pytest.mark.parametrize(
     ("options", "told"),
     [
-        ([], "say with --realize where its motion goes"),
+        ([], "--motion-model needs --realize"),
         (["--realize", "x.bvh", "--scenario", "S7"], "scenario: 'S7'; give one of S1, S2"),
         (
             ["--realize", "x.bvh", "--motion-model", TEXT],
@@ -186,7 +186,7 @@ def test_what_cannot_move_is_told(model: Path, tmp_path: Path, capsys: Captured,
 def test_a_scenario_needs_a_model(tmp_path: Path, capsys: Captured) -> None:
     line = ["perform", AUDIO, "--text-file", TEXT, "-o", str(tmp_path / "x.bml"), "--realize", str(tmp_path / "x.bvh")]
     assert main([*line, "--scenario", "S1"]) == 2
-    assert "--scenario drives a motion model; give its --motion-model" in capsys.readouterr().err
+    assert "--scenario needs --motion-model" in capsys.readouterr().err
     assert not (tmp_path / "x.bml").exists()
 
 
@@ -247,4 +247,4 @@ def test_live_speech_is_moved_by_the_shipped_model_by_its_name(capsys: Captured)
 
 def test_a_search_needs_a_model(capsys: Captured) -> None:
     assert main(["live", AUDIO, "--search", "5", "3"]) == 2
-    assert "give its --model" in capsys.readouterr().err
+    assert "--search needs --model" in capsys.readouterr().err

@@ -104,6 +104,6 @@ def test_on_the_command_line_a_mistake_is_one_line(tmp_path: Path, capfdbinary: 
     path.write_text('{"behaviors": [{}], "words": [{"at": {}}]}')
     assert main(["perform", *LINE, "--edits", str(path)]) == 2
     told = capfdbinary.readouterr().err.decode()
-    assert "behaviors[0]: give either of, or both add and on" in told
+    assert "behaviors[0]: give either `of`, or both `add` and `on`" in told
     assert "words[0].at.word: field required" in told
     assert told.count("\n") == 1

@@ -45,7 +45,7 @@ def test_arrays_that_do_not_go_together_are_told(arrays: dict[str, FloatArray], 
 
 
 def test_numbers_that_are_none_are_told(arrays: dict[str, FloatArray]) -> None:
-    with pytest.raises(InputError, match="mean has numbers that are none"):
+    with pytest.raises(InputError, match="mean has values that are not finite numbers"):
         MotionModel.read(packed({**arrays, "mean": arrays["mean"] * np.nan}), "a.npz")
     with pytest.raises(InputError, match="no kind or no frame"):
         MotionModel.read(packed({**arrays, "unit_state": arrays["unit_state"] + 1000}), "a.npz")

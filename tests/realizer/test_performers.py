@@ -94,5 +94,5 @@ def test_who_is_not_in_the_lexicon_has_an_average_body_and_it_is_said(realizer: 
     motion = realize(realizer, schedule("somebody"), frame_rate_hz=30)
     assert realizer.performer("somebody") is realizer.average
     assert [each.reason for each in motion.decisions if "somebody" in each.reason] == [
-        "no character is called 'somebody': an average body moves"
+        "no character is called 'somebody': an average body is used"
     ]

@@ -17,7 +17,7 @@ from pocketsphinx import get_model_path
 
 from training.pronunciation.ngrams import Order, estimate
 from training.pronunciation.spelling import Entry, learn_graphones, segment
-from understudy.acoustic.pronunciation.pronunciation import END, GRAPHONE_BITS, START, GraphoneModel
+from understudy.acoustic.pronunciation.graphones import END, GRAPHONE_BITS, START, GraphoneModel
 
 TARGET = Path(__file__).resolve().parents[2] / "models" / "pronunciation" / "graphones.npz"
 SPLITS = 20
@@ -72,7 +72,7 @@ def train(entries: list[Entry]) -> tuple[list[str], tuple[Order, ...]]:
 
 
 def write(graphones: list[str], orders: tuple[Order, ...]) -> None:
-    """Writes the model as `understudy.acoustic.pronunciation.pronunciation` reads it."""
+    """Writes the model as `understudy.acoustic.pronunciation.graphones` reads it."""
     arrays: dict[str, np.ndarray] = {"graphones": np.array(graphones), "order": np.array(len(orders))}
     contexts = np.array([0])
     for length, order in enumerate(orders, start=1):

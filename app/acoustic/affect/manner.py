@@ -119,5 +119,5 @@ def _level_db(stretch: Stretch, word: Word) -> float | None:
 
 def _within(amplitude: float, speed: float, tension: float) -> Manner:
     """The manner within its limits, in hundredths."""
-    told = {"amplitude": amplitude, "speed": speed, "tension": tension}
-    return Manner(**{name: round(min(max(told[name], low), high), 2) for name, (low, high) in LIMITS.items()})
+    values = {"amplitude": amplitude, "speed": speed, "tension": tension}
+    return Manner(**{name: round(min(max(values[name], low), high), 2) for name, (low, high) in LIMITS.items()})

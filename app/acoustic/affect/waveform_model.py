@@ -68,8 +68,8 @@ class WaveformModel:
         if len(numbers) < len(self.order) or not np.isfinite(numbers[: len(self.order)]).all():
             raise ServiceError("affect_model_failed", f"the affect model gave {len(numbers)} numbers, or none at all")
         scaled = np.clip(2 * (numbers - self.lowest) / (self.highest - self.lowest) - 1, -1, 1)
-        told = dict(zip(self.order, scaled.tolist(), strict=False))
-        return affect_of_dimensions(*(told.get(dimension, 0.0) for dimension in DIMENSIONS))
+        values = dict(zip(self.order, scaled.tolist(), strict=False))
+        return affect_of_dimensions(*(values.get(dimension, 0.0) for dimension in DIMENSIONS))
 
 
 def _order(path: Path, outputs: Sequence[str], named: Sequence[str], metadata: Mapping[str, str]) -> tuple[str, ...]:

@@ -17,7 +17,7 @@ import numpy as np
 from ...errors import InputError
 from ...model import Audio, Filler, FloatArray, Interval, Notice, Phone, Word
 from ..pronunciation.normalisation import Normaliser
-from ..pronunciation.pronunciation import Pronouncer, Pronunciation
+from ..pronunciation.pronouncer import Pronouncer, Pronunciation
 from ..signal.spectrum import FRAME_S, frame_power
 from .boundaries import BoundaryModel
 from .decoder_process import FRAMES_PER_S, DecodedLine, DecodedPhone, DecoderProcess
@@ -204,7 +204,7 @@ def _guessed(tokens: list[str]) -> tuple[Notice, ...]:
     if not tokens:
         return ()
     names = ", ".join(dict.fromkeys(tokens))
-    return (Notice("pronunciation_guessed", f"not in the dictionary, pronounced by guess: {names}"),)
+    return (Notice("pronunciation_guessed", f"not in the dictionary, pronunciation guessed: {names}"),)
 
 
 def _unreadable(words: list[Word]) -> tuple[Notice, ...]:
@@ -241,7 +241,7 @@ def spread(audio: Audio, words: tuple[Word, ...]) -> tuple[tuple[Word, ...], tup
     named = ", ".join(f"{word.index} ({word.text})" for word in words)
     notice = Notice(
         "alignment_low_confidence",
-        f"the aligner found no way through the audio; times are guessed from loudness for word {named}",
+        f"the aligner found no path through the audio; times are guessed from loudness for word {named}",
     )
     return tuple(_placed(words, edges_s.round(3))), (notice,)
 

@@ -84,11 +84,11 @@ def check_fit(audio: Audio, words: tuple[Word, ...], decoded: list[list[DecodedP
     lacking_db = max(CLEAN_SNR_DB - snr_db, 0.0) + (TELEPHONE_DB if is_telephone(audio) else 0.0)
     reasons = []
     if log_odds > min(SUSPECT + SUSPECT_PER_DB * lacking_db, REFUSED):
-        reasons.append(f"it fits badly, worst at {_names(words, _are_worst(phones))}")
+        reasons.append(f"it fits poorly, worst at {_names(words, _are_worst(phones))}")
     reasons += _missing(audio, words)
     if not reasons:
         return ()
-    return (Notice("transcript_suspect", "the text may not be just what is said: " + "; ".join(reasons)),)
+    return (Notice("transcript_suspect", "the text may differ from what is said: " + "; ".join(reasons)),)
 
 
 def check_found(audio: Audio) -> None:
@@ -143,7 +143,7 @@ def _missing(audio: Audio, words: tuple[Word, ...]) -> Iterator[str]:
     """The reasons to think that words are missing from the text."""
     stretched = [phone.interval.duration_s > LONGEST_PHONE_S for word in words for phone in word.phones]
     if any(stretched):
-        yield f"too long for what they say: {_names(words, stretched)}"
+        yield f"too long for the sounds in them: {_names(words, stretched)}"
     outside = power_outside(audio, words)
     if outside > MOST_POWER_OUTSIDE:
         yield f"{outside:.0%} of the sound lies outside the words, most of it {_largest_gap(audio, words)}"

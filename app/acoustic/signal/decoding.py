@@ -49,7 +49,7 @@ def container_of(content: bytes) -> Container:
         return Container.OGG
     raise UnsupportedFormatError(
         "audio_format_unsupported",
-        f"the audio is none of WAV, FLAC and OGG (its first bytes are {content[:8]!r}); send one of these",
+        f"the audio is not WAV, FLAC or OGG (its first bytes are {content[:8]!r}); send one of these",
         field="audio",
     )
 
@@ -195,7 +195,7 @@ def _opened(content: bytes) -> soundfile.SoundFile:
 
 
 def _codec_error(codec: str) -> UnsupportedFormatError:
-    message = f"the audio's coding ({codec}) is not read; use PCM, float, FLAC, Vorbis or Opus"
+    message = f"the audio's coding ({codec}) is not supported; use PCM, float, FLAC, Vorbis or Opus"
     return UnsupportedFormatError("audio_codec_unsupported", message, field="audio")
 
 

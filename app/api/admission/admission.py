@@ -86,13 +86,15 @@ class Admission:
         """Refuses an unknown host, a foreign origin, and two ways of stating the length."""
         host, origin = arrival.headers.get("host"), arrival.headers.get("origin")
         if not self._is_named(host, arrival.server):
-            return problem(421, "host_unknown", "this service has another name; send the Host that it is known by")
+            return problem(
+                421, "host_unknown", "this service does not answer to that host name; send a Host it is known by"
+            )
         does_more = arrival.is_websocket or arrival.method not in _ONLY_READS
         if does_more and origin is not None and not is_own_page(origin, host, self.origins):
             message = f"requests from other origins are refused; {PREFIX}ALLOWED_ORIGINS lists the permitted ones"
             return problem(403, "origin_refused", message)
         if {"content-length", "transfer-encoding"} <= set(arrival.headers):
-            message = "Content-Length and Transfer-Encoding do not go together"
+            message = "send either Content-Length or Transfer-Encoding, not both"
             return problem(400, "http_error", message, headers={"Connection": "close"})
         return None
 
@@ -121,7 +123,10 @@ def require_keys(admission: Admission, address: str, settings: Settings) -> None
         return
     if settings.allow_anonymous:
         return
-    told = f"give {PREFIX}API_KEYS or {PREFIX}API_KEYS_FILE, or {PREFIX}ALLOW_ANONYMOUS=1 behind what checks callers"
+    told = (
+        f"give {PREFIX}API_KEYS or {PREFIX}API_KEYS_FILE, or {PREFIX}ALLOW_ANONYMOUS=1 behind a proxy that checks "
+        "callers"
+    )
     raise InputError("key_missing", f"{address} can be reached by others, and no API key is required of them: {told}")
 
 

@@ -22,7 +22,7 @@ _REASONS = {
     408: "The body arrived too slowly.",
     412: "The file is no longer what was read.",
     413: "Too large or too long.",
-    415: "A type or format that is not read.",
+    415: "A type or format that is not supported.",
     421: "The request names another host.",
     422: "The content is wrong; `field` and `detail` say where and why.",
     429: "Too many requests, or wrong API keys, from one address; try again after `Retry-After`.",

@@ -22,7 +22,7 @@ _BML: Json = {"type": "string", "description": "BML 1.0 core, or SmartBody's."}
 _TEXT: Json = {
     "type": "string",
     "minLength": 1,
-    "description": "The words that are spoken, as they are written.",
+    "description": "The words that are spoken.",
     "examples": ["No, I have never seen those."],
 }
 _BML_EXAMPLE = (
@@ -32,7 +32,7 @@ _BML_EXAMPLE = (
 _FUNCTIONS: Json = {
     "type": "array",
     "items": reference("GivenFunctionRequest"),
-    "description": "What words do that is known already.",
+    "description": "Communicative functions that are known already.",
 }
 
 LINES = "Lines"
@@ -95,11 +95,11 @@ _PERFORM = Operation(
         {
             "audio": {
                 **FILE,
-                "description": "WAV, FLAC or OGG; without it the text is timed as it is usually spoken, or by words.",
+                "description": "WAV, FLAC or OGG; without it the text is timed by `words`, or at an average rate.",
             },
             "text": _TEXT,
             "options": reference("PerformOptions"),
-            "words": {**FILE, "description": "Words in time, made elsewhere: a .json, .TextGrid or .ctm file."},
+            "words": {**FILE, "description": "Word times from another aligner: a .json, .TextGrid or .ctm file."},
             "functions": _FUNCTIONS,
             "direction": reference("DirectionRequest"),
             "rules": reference("RuleEditsRequest"),
@@ -129,7 +129,7 @@ _REALIZE = Operation(
             ["bml"],
             {
                 "bml": {**FILE, "description": _BML["description"]},
-                "audio": {**FILE, "description": "The recording of its speech, for lips and words."},
+                "audio": {**FILE, "description": "The recording of the speech, for lips and words."},
                 "avatar": {**FILE, "description": "Your own GLB or VRM, to wear the motion in GLB."},
                 "motion_model": {
                     "type": "string",

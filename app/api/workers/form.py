@@ -116,7 +116,7 @@ class _Collector:
             known = ", ".join(self._limits)
             raise InputError("field_unknown", f"unknown field {self._name[:40]!r}; known are {known}", field=self._name)
         if self._name in self.parts:
-            raise InputError("field_repeated", f"the field {self._name} came twice; send it once", field=self._name)
+            raise InputError("field_repeated", f"the field {self._name} was sent twice; send it once", field=self._name)
 
     def _on_part_data(self, chunk: bytes, start: int, end: int) -> None:
         limit = self._limits[self._name]

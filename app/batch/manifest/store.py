@@ -1,138 +1,22 @@
-"""The manifest's rows, and its file: SQLite in WAL mode, so that a killed process leaves it consistent. Used by one
-command at a time.
+"""The manifest's file: SQLite in WAL mode, so that a killed process leaves it consistent. Used by one command at a
+time.
 
 Files may come from elsewhere with the folder that they are in: what a row says is checked, and files that it names must
 lie in the output folder, because files of former versions are removed.
 """
 
 import errno
-import json
 import os
 import sqlite3
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
-from dataclasses import asdict, dataclass
-from enum import StrEnum
 from pathlib import Path, PurePath
-from typing import Any, Self
-
-from pydantic import TypeAdapter
+from typing import Self
 
 from ...errors import InputError
-from ...model import Notice
 from ..work.files import unwritable
-from ..work.jobs import Failure, Measures
+from .entries import COLUMNS, ManifestEntry, of_row, to_row
 from .hashes import KnownRecording
-
-
-class State(StrEnum):
-    """The state of a line."""
-
-    WAITING = "waiting"
-    DONE = "done"
-    FAILED = "failed"
-
-
-@dataclass(frozen=True, slots=True)
-class WrittenFile:
-    """A file written for a line: its format, the listener whose it is ("" is the speaker), its path relative to the
-    output folder, its size in bytes."""
-
-    form: str
-    listener: str
-    path: str
-    size: int
-
-
-@dataclass(frozen=True, slots=True)
-class ManifestEntry:
-    """A line of the batch, the hashes of its input, and its result."""
-
-    id: str
-    place: int
-    row: int
-    character: str
-    performer: str
-    text: str
-    comment: str
-    audio: str
-    start_s: float | None
-    end_s: float | None
-    input_hash: str
-    settings_hash: str
-    state: State = State.WAITING
-    outputs: tuple[WrittenFile, ...] = ()
-    warnings: tuple[Notice, ...] = ()
-    measures: Measures | None = None
-    failure: Failure | None = None
-    seconds: float | None = None
-
-    def is_made_of_the_same(self, other: "ManifestEntry") -> bool:
-        return (self.input_hash, self.settings_hash) == (other.input_hash, other.settings_hash)
-
-
-COLUMNS = (
-    "id",
-    "place",
-    "row",
-    "character",
-    "performer",
-    "text",
-    "comment",
-    "audio",
-    "start_s",
-    "end_s",
-    "input_hash",
-    "settings_hash",
-    "state",
-    "outputs",
-    "warnings",
-    "measures",
-    "error_code",
-    "error",
-    "seconds",
-)
-
-
-_OF_A_FILE = ("form", "listener", "path", "size")
-_OF_A_NOTICE = ("code", "message")
-_ENTRY = TypeAdapter(ManifestEntry)
-
-
-def to_row(entry: ManifestEntry) -> tuple[object, ...]:
-    """The values of `COLUMNS`."""
-    plain = [getattr(entry, name) for name in COLUMNS[:12]]
-    return (
-        *plain,
-        entry.state.value,
-        json.dumps([[file.form, file.listener, file.path, file.size] for file in entry.outputs]),
-        json.dumps([[notice.code, notice.message] for notice in entry.warnings], ensure_ascii=False),
-        None if entry.measures is None else json.dumps(asdict(entry.measures)),
-        entry.failure.code if entry.failure else None,
-        entry.failure.message if entry.failure else None,
-        entry.seconds,
-    )
-
-
-def of_row(row: tuple[Any, ...]) -> ManifestEntry:
-    """The entry that `to_row` stored. Raises ValueError for a row that it cannot have stored."""
-    state, outputs, warnings, measures, error_code, error, seconds = row[12:]
-    try:
-        files = [dict(zip(_OF_A_FILE, file, strict=True)) for file in json.loads(outputs)]
-        notices = [dict(zip(_OF_A_NOTICE, notice, strict=True)) for notice in json.loads(warnings)]
-        measured = None if measures is None else json.loads(measures)
-    except (TypeError, RecursionError) as wrong:
-        raise ValueError(str(wrong)) from None
-    values = dict(zip(COLUMNS[:12], row[:12], strict=True)) | {
-        "state": state,
-        "outputs": files,
-        "warnings": notices,
-        "measures": measured,
-        "failure": None if error_code is None else {"code": error_code, "message": error},
-        "seconds": seconds,
-    }
-    return _ENTRY.validate_python(values)
-
 
 FILE = "manifest.sqlite"
 VERSION = 1

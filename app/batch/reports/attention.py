@@ -8,7 +8,7 @@ lines have some.
 from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 
-from ..manifest.store import ManifestEntry, State
+from ..manifest.entries import ManifestEntry, State
 
 FLAT_ST = 1.2
 """A take whose pitch deviates less than this, in semitones, is hardly acted."""
@@ -81,7 +81,7 @@ PLAIN: Mapping[str, tuple[str, str]] = MappingProxyType(
         ),
         "audio_clipped": ("the recording is clipped", _LEVEL),
         "audio_quiet": ("the recording is very quiet", _LEVEL),
-        "audio_antiphase": ("the channels cancel each other", "deliver one channel, or turn the phase of one"),
+        "audio_antiphase": ("the channels cancel each other", "deliver one channel, or invert one of the two"),
         "audio_rescaled": ("the recording was far too loud and is scaled down", "nothing, if it sounds right"),
         "audio_length_unstated": ("the recording states no length", "nothing, if it is all there"),
         "agitation_unsure": ("too much noise to judge the voice", "set agitation for the line, or record it again"),

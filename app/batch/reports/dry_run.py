@@ -16,7 +16,7 @@ import soundfile
 from ...model import Interval
 from ...model.formats import MotionFormat
 from ..audio import is_compressed
-from ..manifest.store import ManifestEntry, State
+from ..manifest.entries import ManifestEntry, State
 from ..matching import NearNames
 from ..model import place_told
 from ..planning import BatchPlan, without_audio

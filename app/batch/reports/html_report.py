@@ -19,7 +19,7 @@ from string import Template
 from typing import TYPE_CHECKING
 from urllib.parse import quote
 
-from ..manifest.store import ManifestEntry, State
+from ..manifest.entries import ManifestEntry, State
 from ..work.jobs import Measures
 from .attention import attention, plain_words, reasons
 
@@ -129,9 +129,9 @@ def _looks(entry: ManifestEntry) -> Iterator[str]:
         yield f'<div class="{kind}"><b>{escape(meaning)}</b><span>{escape(advice)}</span></div>'
     if entry.failure:
         yield f'<p class="error">{escape(entry.failure.message)}</p>'
-    told = "".join(f"<p>{escape(notice.message)}</p>" for notice in entry.warnings)
-    if told:
-        yield f'<details class="messages"><summary>messages</summary>{told}</details>'
+    listed = "".join(f"<p>{escape(notice.message)}</p>" for notice in entry.warnings)
+    if listed:
+        yield f'<details class="messages"><summary>messages</summary>{listed}</details>'
 
 
 def _player(entry: ManifestEntry, out: Path) -> str:

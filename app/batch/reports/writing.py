@@ -8,7 +8,7 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
-from ..manifest.store import ManifestEntry, State
+from ..manifest.entries import ManifestEntry, State
 from ..work.files import clear_unfinished, write_whole
 from .attention import attention, reasons
 from .html_report import Heading, Thumbnail, to_html

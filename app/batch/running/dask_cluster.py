@@ -88,11 +88,11 @@ def _connected(address: str) -> Client:
 def _require_same_version(client: Client, address: str) -> None:
     """Raises InputError `cluster_version` where workers have another version, whose results may differ."""
     try:
-        told = client.run(version_in_worker)
+        versions = client.run(version_in_worker)
     except (ImportError, AttributeError) as error:
         message = f"{address}: understudy is not installed on all workers ({error}); install {__version__} there"
         raise InputError("cluster_version", message, field="scheduler") from None
-    others = {f"{worker} has {version}" for worker, version in told.items() if version != __version__}
+    others = {f"{worker} has {version}" for worker, version in versions.items() if version != __version__}
     if others:
         message = f"{address}: {', '.join(sorted(others))}, this is {__version__}; install the same everywhere"
         raise InputError("cluster_version", message, field="scheduler")

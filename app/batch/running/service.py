@@ -158,7 +158,7 @@ def _audio_name(job: LineJob) -> str:
 def _options(job: LineJob) -> dict[str, Any]:
     """The options under their names in the service's requests."""
     options = job.options
-    told: dict[str, Any] = {
+    fields: dict[str, Any] = {
         "character": options.character,
         "seed": options.seed,
         "mode": options.mode.value,
@@ -172,25 +172,25 @@ def _options(job: LineJob) -> dict[str, Any]:
         "targets": {target.name: target.position_m for target in options.targets},
     }
     if options.choice is not None:
-        told["choice"] = options.choice
+        fields["choice"] = options.choice
     if options.agitation is not None:
-        told["agitation"] = options.agitation.value
+        fields["agitation"] = options.agitation.value
     if options.affect is not None:
-        told["affect"] = affect_rows(options.affect)
+        fields["affect"] = affect_rows(options.affect)
     if isinstance(options.profile, str):
-        told["profile"] = options.profile
+        fields["profile"] = options.profile
     if options.reference is not None:
-        told["reference"] = ReferenceForm.of(options.reference).model_dump()
-    return told
+        fields["reference"] = ReferenceForm.of(options.reference).model_dump()
+    return fields
 
 
 def _told_wait_s(answer: requests.Response) -> float | None:
     """`Retry-After`, in seconds or as a date; None if it is missing or unreadable."""
-    told = answer.headers.get("Retry-After", "")
-    if told.isdecimal():
-        return min(float(told), MOST_WAIT_S)
+    value = answer.headers.get("Retry-After", "")
+    if value.isdecimal():
+        return min(float(value), MOST_WAIT_S)
     try:
-        return min(max(parsedate_to_datetime(told).timestamp() - time.time(), 0.0), MOST_WAIT_S)
+        return min(max(parsedate_to_datetime(value).timestamp() - time.time(), 0.0), MOST_WAIT_S)
     except ValueError:
         return None
 
@@ -198,32 +198,32 @@ def _told_wait_s(answer: requests.Response) -> float | None:
 def _failure(answer: requests.Response) -> Failure:
     """The failure in the service's problem response (RFC 9457)."""
     try:
-        told = answer.json()
-        return Failure(told["code"], told["detail"])
+        problem = answer.json()
+        return Failure(problem["code"], problem["detail"])
     except (ValueError, KeyError, TypeError):
         return Failure("service_failed", f"the service answered {answer.status_code} {answer.reason}")
 
 
-def _files(job: LineJob, audio: bytes, told: Mapping[str, Any]) -> Iterator[OutputFile]:
+def _files(job: LineJob, audio: bytes, answer: Mapping[str, Any]) -> Iterator[OutputFile]:
     for target in job.targets:
         match target.form:
             case LineFormat.PERFORMANCE:
-                content = json.dumps(told["performance"], indent=2, ensure_ascii=False).encode() + b"\n"
+                content = json.dumps(answer["performance"], indent=2, ensure_ascii=False).encode() + b"\n"
             case LineFormat.WAV:
                 content = audio
             case _:
-                yield from _bml_files(target, told)
+                yield from _bml_files(target, answer)
                 continue
         yield _file(target, content)
 
 
-def _bml_files(target: OutputTarget, told: Mapping[str, Any]) -> Iterator[OutputFile]:
+def _bml_files(target: OutputTarget, answer: Mapping[str, Any]) -> Iterator[OutputFile]:
     """The same files as `understudy.batch.work.performing` writes."""
-    if told.get("speech_file"):
-        yield _file(target, told["speech_file"]["bml"].encode())
+    if answer.get("speech_file"):
+        yield _file(target, answer["speech_file"]["bml"].encode())
         target = replace(target, path=act_path(target.path))
-    yield _file(target, told["bml"].encode())
-    for name, block in (told.get("listeners") or {}).items():
+    yield _file(target, answer["bml"].encode())
+    for name, block in (answer.get("listeners") or {}).items():
         yield _file(replace(target, path=beside(target.path, name, target.form)), block.encode(), name)
 
 
@@ -231,22 +231,22 @@ def _file(target: OutputTarget, content: bytes, listener: str = "") -> OutputFil
     return OutputFile(target.form, target.path, len(content), listener, content)
 
 
-def _measures(told: Mapping[str, Any]) -> Measures:
+def _measures(answer: Mapping[str, Any]) -> Measures:
     """The measures in the performance, which does not include pitch."""
-    kept = [behavior for behavior in told["behaviors"] if behavior["kept"]]
-    gestures = [behavior for behavior in told["behaviors"] if behavior["kind"] == "gesture"]
+    kept = [behavior for behavior in answer["behaviors"] if behavior["kept"]]
+    gestures = [behavior for behavior in answer["behaviors"] if behavior["kind"] == "gesture"]
     functions: dict[str, int] = {}
-    for function in told["functions"]:
+    for function in answer["functions"]:
         if function["kept"]:
             functions[function["class"]] = functions.get(function["class"], 0) + 1
     return Measures(
-        duration_s=round(told["audio"]["duration_s"], 3),
-        words=len(told["words"]),
-        agitation=told["agitation"] or "",
+        duration_s=round(answer["audio"]["duration_s"], 3),
+        words=len(answer["words"]),
+        agitation=answer["agitation"] or "",
         functions=dict(sorted(functions.items())),
         gestures=sum(gesture["kept"] for gesture in gestures),
         gestures_dropped=sum(not gesture["kept"] for gesture in gestures),
         behaviors=len(kept),
-        emphasised=sum((word.get("emphasis") or 0.0) > EMPHASISED for word in told["words"]),
+        emphasised=sum((word.get("emphasis") or 0.0) > EMPHASISED for word in answer["words"]),
         pitch_spread_st=None,
     )

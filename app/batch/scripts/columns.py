@@ -115,8 +115,8 @@ def find_columns(
         places.setdefault(field, place)
     _place_either(places, [place for place, cell in enumerate(cells) if folded(cell) in names.either])
     if needs_text and "text" not in places:
-        told = ", ".join(repr(cell) for cell in cells if cell) or "nothing"
-        message = f'{file}: no column has the words; its headings are {told}; name it with --column text="HEADING"'
+        listed = ", ".join(repr(cell) for cell in cells if cell) or "nothing"
+        message = f'{file}: no column has the words; its headings are {listed}; name it with --column text="HEADING"'
         raise InputError("columns_missing", message, field="script")
     return Columns(cells, MappingProxyType(places))
 

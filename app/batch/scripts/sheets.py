@@ -43,32 +43,32 @@ class Row:
 
     def whole_number(self, name: str) -> int | None:
         """A whole number, also as 3.0, which is how spreadsheets write 3."""
-        told = self.text(name)
-        match = re.fullmatch(r"[^\d-]*(-?\d{1,18})(?:\.0*)?", told)
-        if told and match is None:
-            self.wrong(name, "value_wrong", f"{told!r} is not a whole number")
+        text = self.text(name)
+        match = re.fullmatch(r"[^\d-]*(-?\d{1,18})(?:\.0*)?", text)
+        if text and match is None:
+            self.wrong(name, "value_wrong", f"{text!r} is not a whole number")
         return int(match[1]) if match else None
 
     def level(self) -> Level | None:
-        told = self.text("agitation").casefold()
-        if told and told not in set(Level):
-            self.wrong("agitation", "value_wrong", f"{told!r}; it is low, medium or high, or empty")
+        text = self.text("agitation").casefold()
+        if text and text not in set(Level):
+            self.wrong("agitation", "value_wrong", f"{text!r}; it is low, medium or high, or empty")
             return None
-        return Level(told) if told else None
+        return Level(text) if text else None
 
     def affect(self) -> AffectTrack | None:
         """A tone, activation, valence and dominance, or the name of a track beside the script."""
-        told = self.text("affect")
-        if not told:
+        text = self.text("affect")
+        if not text:
             return None
         try:
-            if told.casefold().endswith(".csv"):
-                return read_affect_track((self.folder / told).read_bytes(), told)
-            return read_affect(told.casefold())
+            if text.casefold().endswith(".csv"):
+                return read_affect_track((self.folder / text).read_bytes(), text)
+            return read_affect(text.casefold())
         except InputError as error:
             self.wrong("affect", error.code, error.message)
         except OSError as error:
-            self.wrong("affect", "file_unreadable", f"{told}: cannot be read: {error.strerror}")
+            self.wrong("affect", "file_unreadable", f"{text}: cannot be read: {error.strerror}")
         return None
 
     def interval(self) -> Interval | None:
@@ -107,13 +107,13 @@ class Row:
 
     def _json(self, name: str, read: Callable[[bytes], Read]) -> Read | None:
         """What a cell contains as JSON, or what the file named in it contains; None if that is wrong."""
-        told = self.text(name)
+        text = self.text(name)
         try:
-            return read(told.encode() if told.startswith("{") else (self.folder / told).read_bytes())
+            return read(text.encode() if text.startswith("{") else (self.folder / text).read_bytes())
         except InputError as error:
             self.wrong(name, error.code, error.message)
         except OSError as error:
-            self.wrong(name, "file_unreadable", f"{told}: cannot be read: {error.strerror}")
+            self.wrong(name, "file_unreadable", f"{text}: cannot be read: {error.strerror}")
         return None
 
     def wrong(self, name: str, code: str, message: str) -> None:
@@ -121,12 +121,12 @@ class Row:
         self.problems.append(RowProblem(self.number, column, code, message, self.text("id")))
 
     def _seconds(self, name: str) -> float | None:
-        told = self.text(name)
-        if not told:
+        text = self.text(name)
+        if not text:
             return None
-        match = _CLOCK.fullmatch(told)
+        match = _CLOCK.fullmatch(text)
         if match is None:
-            self.wrong(name, "value_wrong", f"{told!r} is not a time; give seconds or h:mm:ss.ms")
+            self.wrong(name, "value_wrong", f"{text!r} is not a time; give seconds or h:mm:ss.ms")
             return None
         hours, minutes, seconds = (float((part or "0").replace(",", ".")) for part in match.groups())
         return 3600 * hours + 60 * minutes + seconds
@@ -170,7 +170,7 @@ def read_sheet(
     """The lines of a sheet; empty rows are skipped. Raises InputError `script_empty` and `columns_missing`."""
     numbered = [(number, cells) for number, cells in enumerate(rows, start=1) if any(cell.strip() for cell in cells)]
     if not numbered:
-        raise InputError("script_empty", f"{path}: nothing in it; give a row of headings and a row a line")
+        raise InputError("script_empty", f"{path}: it is empty; give a row of headings, then one row for each line")
     place = heading_place([cells for _number, cells in numbered[:ROWS_BEFORE_HEADINGS]], names, named)
     header = numbered[place][1]
     dialect = None if named else dialect_of(header)
@@ -249,10 +249,10 @@ def _id(row: Row) -> str:
     """The line's own id, else the stem of the recording that it names, else its row number."""
     if "id" not in row.columns.places:
         return PurePath(row.text("recording").replace("\\", "/")).stem or f"row{row.number:05d}"
-    told = row.text("id")
-    if not told:
+    text = row.text("id")
+    if not text:
         row.wrong("id", "id_missing", "no id; give each line one of its own")
-    return told
+    return text
 
 
 _RENPY_TAG = re.compile(r"\{(?!\{)[^{}]*\}")

@@ -57,8 +57,8 @@ def _chosen(sheets: Mapping[str, object], chosen: Sequence[str], path: Path) -> 
     by_name = {title.strip().casefold(): title for title in sheets}
     for name in chosen:
         if name.strip().casefold() not in by_name:
-            told = f"{path}: no worksheet is called {name!r}{did_you_mean(name, tuple(sheets))}"
-            raise InputError("sheet_missing", f"{told}; there are {_listed(sheets)}", field="sheet")
+            message = f"{path}: no worksheet is called {name!r}{did_you_mean(name, tuple(sheets))}"
+            raise InputError("sheet_missing", f"{message}; there are {_listed(sheets)}", field="sheet")
     wanted = {by_name[name.strip().casefold()] for name in chosen}
     return [title for title in sheets if title in wanted]
 

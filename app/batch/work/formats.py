@@ -51,8 +51,8 @@ def formats_named(names: Sequence[str]) -> tuple[OutputFormat, ...]:
     for name in names or [LineFormat.BML]:
         form = by_name.get(name.removeprefix(".").casefold())
         if form is None:
-            told = ", ".join(extension_of(each) for each in FORMATS)
-            message = f"--format {name}: give one of {told}{did_you_mean(name, by_name)}"
+            listed = ", ".join(extension_of(each) for each in FORMATS)
+            message = f"--format {name}: give one of {listed}{did_you_mean(name, by_name)}"
             raise InputError("format_unknown", message, field="format")
         found.append(form)
     return tuple(dict.fromkeys(found))

@@ -225,9 +225,9 @@ def _check_words(where: str, places: Mapping[str, int], words: int) -> None:
             message = f"{where}.{key}: there is no word {word}; the line's words are 0 to {words - 1}"
             raise InputError("direction_span", message, field=FIELD)
     if list(places.values()) != sorted(places.values()):
-        told = ", ".join(f"{key} {word}" for key, word in places.items())
+        listed = ", ".join(f"{key} {word}" for key, word in places.items())
         order = ", ".join(places)
-        raise InputError("direction_span", f"{where}: {told}: the order is {order}", field=FIELD)
+        raise InputError("direction_span", f"{where}: {listed}: the order is {order}", field=FIELD)
 
 
 def _check_kinds(where: str, asked: Sequence[str], known: Collection[str]) -> None:

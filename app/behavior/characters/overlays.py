@@ -238,11 +238,11 @@ class _ValidFile:
         for what, instead in self.file.never.items():
             if what not in BANNABLE and what not in table.lines and what not in lexemes:
                 known = (*BANNABLE, *table.lines, *lexemes)
-                told = f"{what!r} is not a behaviour, lexeme, family or channel{did_you_mean(what, known)}"
-                yield "never", what, told
+                message = f"{what!r} is not a behaviour, lexeme, family or channel{did_you_mean(what, known)}"
+                yield "never", what, message
             if instead is not None and instead not in table.lines:
-                told = f"the table has no behaviour {instead!r}{did_you_mean(instead, table.lines)}"
-                yield "never", what, told
+                message = f"the table has no behaviour {instead!r}{did_you_mean(instead, table.lines)}"
+                yield "never", what, message
 
 
 _USUAL_GESTURE = 0.5

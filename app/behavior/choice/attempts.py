@@ -32,8 +32,7 @@ from .necessity import WEIGHT
 @dataclass(frozen=True, slots=True)
 class ChoiceContext:
     """What the choice depends on besides the candidates: the timed words, the character, the most gestures (usual and
-    planned), the most that functions may ask for by their priority alone, and
-    what is forbidden where."""
+    planned), the most that functions may ask for by their priority alone, and what is forbidden where."""
 
     timed: tuple[Word, ...]
     character: Character

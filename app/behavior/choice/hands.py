@@ -138,13 +138,13 @@ def _left_to_one_hand(candidate: PlacedBehavior, kept: TimeIndex) -> Iterator[Ti
 
 def _at_its_usual_length(gesture: PlacedBehavior) -> PlacedBehavior:
     """A gesture as it was before its neighbours shortened it."""
-    sync = placed(gesture.placing, Window())
+    sync = placed(gesture.basis, Window())
     return gesture if sync is None else replace(gesture, behavior=replace(gesture.behavior, sync=sync))
 
 
 def _makes_it_alone(hand: Hand, gesture: PlacedBehavior) -> bool:
     """Whether one hand makes a gesture of both hands in the same time."""
-    ways = [(gesture.forms, gesture.placing.timing)]
+    ways = [(gesture.forms, gesture.basis.timing)]
     if gesture.brief:
         ways.append((gesture.brief.forms, gesture.brief.timing))
     return all(_takes_no_longer(forms.get(hand, ()), timing) for forms, timing in ways)

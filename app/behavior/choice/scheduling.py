@@ -219,7 +219,7 @@ def _idle(
     character = line.character
     gazes = [each.behavior.sync for each in kept if each.behavior.kind is Channel.GAZE]
     looks = [Interval(sync.start, sync.end) for sync in gazes]
-    blinks_asked_s = [each.placing.at_s for each in kept if each.behavior.lexeme == BLINK]
+    blinks_asked_s = [each.basis.at_s for each in kept if each.behavior.lexeme == BLINK]
     behaviors = idle_behaviors(
         utterance,
         line.timed,

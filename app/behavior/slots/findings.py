@@ -36,43 +36,43 @@ def findings(table: SlotTable, tokens: Sequence[Token]) -> tuple[Finding, ...]:
     file."""
     found: dict[str, list[Finding]] = {}
     vocabulary = vocabulary_of(tokens)
-    for saying in table.sayings:
-        if saying.line and not any(any(find(each, tokens, table.numbers)) for each in saying.line):
+    for phrase in table.phrases:
+        if phrase.line and not any(any(find(each, tokens, table.numbers)) for each in phrase.line):
             continue
-        found.setdefault(saying.slot, []).extend(_said(table, saying, tokens, vocabulary))
+        found.setdefault(phrase.slot, []).extend(_said(table, phrase, tokens, vocabulary))
     kept = (each for ranked in found.values() for each in _longest(ranked) if each.value is not None)
     return tuple(sorted(kept, key=lambda each: (each.first, each.last, each.slot)))
 
 
 def _said(
-    table: SlotTable, saying: SlotPhrase, tokens: Sequence[Token], vocabulary: frozenset[str]
+    table: SlotTable, phrase: SlotPhrase, tokens: Sequence[Token], vocabulary: frozenset[str]
 ) -> Iterator[Finding]:
-    for pattern in saying.words:
+    for pattern in phrase.words:
         if not possible(pattern, vocabulary):
             continue
         for match in find(pattern, tokens, table.numbers):
-            found = _finding(table, saying, match, tokens)
+            found = _finding(table, phrase, match, tokens)
             if found is not None:
                 yield found
 
 
-def _finding(table: SlotTable, saying: SlotPhrase, match: PatternMatch, tokens: Sequence[Token]) -> Finding | None:
+def _finding(table: SlotTable, phrase: SlotPhrase, match: PatternMatch, tokens: Sequence[Token]) -> Finding | None:
     """The finding of a match; None if it has a length or number that cannot be shown."""
-    value: Value | None = saying.value
+    value: Value | None = phrase.value
     length_m: float | None = None
     if value == LENGTH:
         length_m = _length_m(table, match, tokens)
         if length_m is None:
             return None
-        value = _class_of(table, saying.slot, length_m)
+        value = _class_of(table, phrase.slot, length_m)
     elif value == NOUN:
         value = None if match.named is None else tokens[match.named].lemma.lower()
-    elif value is not None and saying.slot == "count":
+    elif value is not None and phrase.slot == "count":
         value = _count(table, str(value), match, tokens)
-    elif value is not None and saying.slot == "elevation_deg":
+    elif value is not None and phrase.slot == "elevation_deg":
         value = float(value)
     first, last = tokens[match.first].word, tokens[match.last].word
-    return Finding(saying.slot, value, first, last, length_m)
+    return Finding(phrase.slot, value, first, last, length_m)
 
 
 def _count(table: SlotTable, value: str, match: PatternMatch, tokens: Sequence[Token]) -> int | None:

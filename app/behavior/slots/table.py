@@ -47,7 +47,7 @@ class SlotTable:
     """The file: what words say, which lengths the classes usually have; `shown` are the slots that each gesture lexeme
     can show."""
 
-    sayings: tuple[SlotPhrase, ...]
+    phrases: tuple[SlotPhrase, ...]
     pairs: tuple[ContrastPair, ...]
     numbers: Mapping[str, float]
     units_m: Mapping[str, float]
@@ -73,7 +73,7 @@ class SlotTable:
             return tuple(read_pattern(each, sets) for each in patterns)
 
         return cls(
-            sayings=tuple(_sayings(file, read)),
+            phrases=tuple(_slot_phrases(file, read)),
             pairs=tuple(ContrastPair(read(each.one), read(each.other)) for each in file.contrasts),
             numbers=MappingProxyType({word: number for number, words in file.numbers.items() for word in words}),
             units_m=MappingProxyType({word: metres for metres, words in file.units_m.items() for word in words}),
@@ -121,7 +121,7 @@ class _SlotsFile(Entry):
     slots: dict[str, tuple[_SlotLine, ...]]
 
 
-def _sayings(file: _SlotsFile, read: Callable[[Sequence[str]], tuple[Pattern, ...]]) -> Iterator[SlotPhrase]:
+def _slot_phrases(file: _SlotsFile, read: Callable[[Sequence[str]], tuple[Pattern, ...]]) -> Iterator[SlotPhrase]:
     for slot, lines in file.slots.items():
         for line in lines:
             yield SlotPhrase(slot, None if line.value == NOTHING else line.value, read(line.words), read(line.line))
@@ -171,8 +171,8 @@ def _family_mistakes(source: Source, file: _SlotsFile, families: Collection[str]
     for slot, shown in file.shown_by.items():
         for place, family in enumerate(shown):
             if family not in families:
-                told = f"{family!r} is not a family of gestures{did_you_mean(family, families)}"
-                yield source.mistake(("shown_by", slot, place), told)
+                message = f"{family!r} is not a family of gestures{did_you_mean(family, families)}"
+                yield source.mistake(("shown_by", slot, place), message)
 
 
 def _value_mistake(slot: str, value: str) -> str | None:

@@ -23,7 +23,7 @@ class PlacedBehavior:
     """A behaviour with the basis of its timing; a gesture with its forms by hand, and with its brief variant."""
 
     behavior: Behavior
-    placing: TimingBasis
+    basis: TimingBasis
     forms: Mapping[Hand, Forms] = field(default_factory=dict)
     brief: BriefGesture | None = None
 
@@ -36,12 +36,12 @@ class PlacedBehavior:
     def firm_end_s(self) -> float:
         """The earliest end without loss of stroke or hold."""
         sync = self.behavior.sync
-        return min(sync.end, (sync.relax or sync.end) + self.placing.timing.retraction.shortest_s)
+        return min(sync.end, (sync.relax or sync.end) + self.basis.timing.retraction.shortest_s)
 
     @property
     def stroke_end_s(self) -> float:
         """The earliest end without loss of stroke, with the shortest hold."""
-        sync, timing = self.behavior.sync, self.placing.timing
+        sync, timing = self.behavior.sync, self.basis.timing
         if sync.stroke_end is None:
             return self.firm_end_s
         return min(self.firm_end_s, sync.stroke_end + timing.hold.shortest_s + timing.retraction.shortest_s)
@@ -63,21 +63,21 @@ def asked(
         at_s, until_s = stressed_vowel_s(_stroke_word(movement, entry.anchor, words)), interval_of(words[-1]).end_s
     else:
         at_s = until_s = max((interval_of(word).end_s for word in timed[:begin]), default=0.0)
-    placing, sync, hurry = _in_time(_placing(entry, at_s, until_s), entry.channel)
-    if brief and placing.at_s > at_s:
+    basis, sync, hurry = _in_time(_timing_basis(entry, at_s, until_s), entry.channel)
+    if brief and basis.at_s > at_s:
         entry = replace(entry, timing=brief.timing, forms=brief.forms)
-        placing, sync, hurry = _in_time(_placing(entry, at_s, until_s), entry.channel)
-    late_s = placing.at_s - at_s if entry.channel is Channel.GESTURE else 0.0
+        basis, sync, hurry = _in_time(_timing_basis(entry, at_s, until_s), entry.channel)
+    late_s = basis.at_s - at_s if entry.channel is Channel.GESTURE else 0.0
     reason = _late(late_s) if late_s > LATEST_S else hurry if words else "none of its words is spoken"
     behavior = _behavior(entry, name, sync, movement, reason=reason, kept=bool(words) and late_s <= LATEST_S)
-    return PlacedBehavior(behavior, placing, entry.forms, brief)
+    return PlacedBehavior(behavior, basis, entry.forms, brief)
 
 
 def placed_idle(idle: IdleBehavior, entry: BehaviorEntry, name: str) -> PlacedBehavior:
     """An idle behaviour, with the least priority."""
-    placing = _placing(entry, idle.at_s, idle.at_s)
-    placing, sync, _hurry = _in_time(placing, entry.channel)
-    return PlacedBehavior(_behavior(entry, name, sync, _unasked(entry, idle.word), reason=idle.reason), placing)
+    basis = _timing_basis(entry, idle.at_s, idle.at_s)
+    basis, sync, _hurry = _in_time(basis, entry.channel)
+    return PlacedBehavior(_behavior(entry, name, sync, _idle_movement(entry, idle.word), reason=idle.reason), basis)
 
 
 def filler(entry: BehaviorEntry, interval: Interval, word: int, reason: str) -> PlacedBehavior:
@@ -85,11 +85,11 @@ def filler(entry: BehaviorEntry, interval: Interval, word: int, reason: str) -> 
     timing = entry.timing
     retraction_s = min(timing.retraction.usual_s, interval.duration_s / 4)
     at_s = interval.start_s + min(timing.preparation.usual_s + timing.stroke.usual_s, interval.duration_s / 2)
-    placing = TimingBasis(timing, at_s, interval.end_s - retraction_s, entry.channel in STROKED)
-    sync = placed(placing, Window(interval.start_s, interval.end_s))
+    basis = TimingBasis(timing, at_s, interval.end_s - retraction_s, entry.channel in STROKED)
+    sync = placed(basis, Window(interval.start_s, interval.end_s))
     assert sync is not None, "the interval has room for it"
     name = f"own.{entry.name}.{interval.start_s:.3f}"
-    return PlacedBehavior(_behavior(entry, name, sync, _unasked(entry, word), reason=reason), placing)
+    return PlacedBehavior(_behavior(entry, name, sync, _idle_movement(entry, word), reason=reason), basis)
 
 
 def stressed_vowel_s(word: Word) -> float:
@@ -142,34 +142,31 @@ def _stroke_word(movement: Movement, anchor: Anchor, words: Sequence[Word]) -> W
     return max(reversed(words), key=lambda word: word.emphasis or 0.0)
 
 
-def _placing(entry: BehaviorEntry, at_s: float, until_s: float) -> TimingBasis:
+def _timing_basis(entry: BehaviorEntry, at_s: float, until_s: float) -> TimingBasis:
     stroked = entry.channel in STROKED
     earliest_s = 0.0 if stroked else entry.timing.preparation.shortest_s
     return TimingBasis(entry.timing, max(floor(at_s * 1000) / 1000, earliest_s), until_s, stroked)
 
 
-def _in_time(placing: TimingBasis, channel: Channel) -> tuple[TimingBasis, SyncPoints, str | None]:
-    """The placing, or one that begins with the performance; its sync points; and the reason for the change."""
-    sync = placed(placing, Window())
+def _in_time(basis: TimingBasis, channel: Channel) -> tuple[TimingBasis, SyncPoints, str | None]:
+    """The basis, or one that begins with the performance; its sync points; and the reason for the change."""
+    sync = placed(basis, Window())
     if sync is not None:
-        return placing, sync, None
+        return basis, sync, None
     if channel is Channel.GESTURE:
-        placing, why = (
-            underway(placing),
-            "begins with the hand raised: there is no time to raise it",
-        )
+        basis, why = underway(basis), "begins with the hand raised: there is no time to raise it"
     else:
-        placing, why = soonest(placing), "a little late: there is no time before its word"
-    sync = placed(placing, Window())
+        basis, why = soonest(basis), "a little late: there is no time before its word"
+    sync = placed(basis, Window())
     assert sync is not None, "what begins at 0 has room"
-    return placing, sync, why
+    return basis, sync, why
 
 
 def _late(late_s: float) -> str:
     return f"its stroke would come {late_s:.2f} s after its word: there is too little time before it; add a lead-in"
 
 
-def _unasked(entry: BehaviorEntry, word: int) -> Movement:
+def _idle_movement(entry: BehaviorEntry, word: int) -> Movement:
     """An idle movement on a word, with the least priority."""
     return Movement(entry.name, word, word, 0.0, "", None)
 

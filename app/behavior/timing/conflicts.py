@@ -67,8 +67,8 @@ def resolve(candidates: Iterable[PlacedBehavior], kept: Kept = ()) -> tuple[Kept
 def fitted(candidate: PlacedBehavior, kept: TimeIndex) -> FittedBehavior | Behavior:
     """The candidate among the kept; its behaviour as a loser if it does not fit."""
     rivals = [other for other in _near(candidate, kept) if compete(other.behavior, candidate.behavior)]
-    earlier = [other for other in rivals if other.placing.at_s <= candidate.placing.at_s]
-    later = [other for other in rivals if other.placing.at_s > candidate.placing.at_s]
+    earlier = [other for other in rivals if other.basis.at_s <= candidate.basis.at_s]
+    later = [other for other in rivals if other.basis.at_s > candidate.basis.at_s]
     candidate = _with_way(candidate, earlier)
     (_, window), sync = next(_in_windows(candidate, earlier, later, _latest_end_s)), candidate.behavior.sync
     if window.from_s <= sync.start and sync.end <= window.to_s:
@@ -123,21 +123,21 @@ def _in_windows(
 def _moved(candidate: PlacedBehavior) -> Iterator[PlacedBehavior]:
     yield candidate
     if candidate.own_forms:
-        placing = replace(candidate.placing, at_s=candidate.placing.at_s - EARLY_S)
+        basis = replace(candidate.basis, at_s=candidate.basis.at_s - EARLY_S)
         reason = f"{EARLY_S:g} s before its word, to be in time for its neighbour"
-        yield replace(candidate, placing=placing, behavior=replace(candidate.behavior, reason=reason))
+        yield replace(candidate, basis=basis, behavior=replace(candidate.behavior, reason=reason))
 
 
 def _with_way(candidate: PlacedBehavior, earlier: Sequence[PlacedBehavior]) -> PlacedBehavior:
     """The candidate with a preparation no shorter than its hand's transition from the gesture before it."""
-    sync, placing = candidate.behavior.sync, candidate.placing
+    sync, basis = candidate.behavior.sync, candidate.basis
     near = [each for each in earlier if sync.start - each.behavior.sync.end < NEAR_S]
     shortest_s = max((transition(each, candidate).shortest_s for each in near), default=0.0)
     if not shortest_s:
         return candidate
-    usual = placing.timing.preparation
+    usual = basis.timing.preparation
     preparation = PhaseDuration(shortest_s, max(usual.usual_s, shortest_s))
-    return replace(candidate, placing=replace(placing, timing=replace(placing.timing, preparation=preparation)))
+    return replace(candidate, basis=replace(basis, timing=replace(basis.timing, preparation=preparation)))
 
 
 def _latest_end_s(candidate: PlacedBehavior, later: PlacedBehavior) -> float:
@@ -203,12 +203,12 @@ def _with_the_eyes_alone(look: PlacedBehavior, head: Behavior) -> PlacedBehavior
 
 def _rank(candidate: PlacedBehavior) -> tuple[float, float, str]:
     behavior = candidate.behavior
-    return -behavior.priority, candidate.placing.at_s, behavior.id
+    return -behavior.priority, candidate.basis.at_s, behavior.id
 
 
 def _within(candidate: PlacedBehavior, window: Window, neighbour: Behavior) -> PlacedBehavior | None:
     """The candidate in a window that a neighbour leaves; None if it does not fit."""
-    sync = placed(candidate.placing, window)
+    sync = placed(candidate.basis, window)
     if sync is None:
         return None
     reason = candidate.behavior.reason or _shortened_beside(neighbour)
@@ -243,12 +243,12 @@ def _made_brief(gesture: PlacedBehavior) -> PlacedBehavior:
     brief, sync = gesture.brief, gesture.behavior.sync
     if brief is None or sync.stroke_end is None:
         return gesture
-    timing = replace(brief.timing, preparation=gesture.placing.timing.preparation)
+    timing = replace(brief.timing, preparation=gesture.basis.timing.preparation)
     start_s = round(sync.stroke_end - timing.stroke.usual_s, 3)
     stroke_s = round(start_s + timing.emphasis * timing.stroke.usual_s, 3)
     sync = replace(sync, ready=start_s, stroke_start=start_s, stroke=stroke_s)
     behavior = replace(gesture.behavior, sync=sync, reason=BRIEFLY)
-    return PlacedBehavior(behavior, replace(gesture.placing, timing=timing), brief.forms, brief)
+    return PlacedBehavior(behavior, replace(gesture.basis, timing=timing), brief.forms, brief)
 
 
 def _shortened_beside(neighbour: Behavior) -> str:
@@ -261,6 +261,6 @@ def _neighbour(
     """The rival that leaves the candidate too little time: the one before it, unless the candidate fits after that."""
     if earlier:
         before = max(earlier, key=lambda other: other.firm_end_s)
-        if not later or placed(candidate.placing, Window(before.firm_end_s)) is None:
+        if not later or placed(candidate.basis, Window(before.firm_end_s)) is None:
             return before.behavior
     return min(later, key=lambda other: other.behavior.sync.start).behavior

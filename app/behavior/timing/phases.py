@@ -36,19 +36,19 @@ class TimingBasis:
     stroked: bool
 
 
-def placed(placing: TimingBasis, window: Window) -> SyncPoints | None:
+def placed(basis: TimingBasis, window: Window) -> SyncPoints | None:
     """The phases at their usual length, as far as the window permits; None if even the shortest do not fit.
 
     Before the vowel the preparation is shortened first, then the stroke; after it the retraction, then the hold.
     """
-    timing, at_s = placing.timing, placing.at_s
+    timing, at_s = basis.timing, basis.at_s
     before = _taken(at_s - window.from_s, timing.preparation, timing.stroke, timing.alignment)
     if before is None:
         return None
     preparation_s, stroke_s = before
     stroke_start_s = at_s - timing.alignment * stroke_s
     stroke_end_s = stroke_start_s + stroke_s
-    hold_s = min(max(placing.until_s - stroke_end_s, timing.hold.shortest_s), timing.hold.usual_s)
+    hold_s = min(max(basis.until_s - stroke_end_s, timing.hold.shortest_s), timing.hold.usual_s)
     after = _taken(window.to_s - stroke_end_s, timing.retraction, PhaseDuration(timing.hold.shortest_s, hold_s))
     if after is None:
         return None
@@ -56,7 +56,7 @@ def placed(placing: TimingBasis, window: Window) -> SyncPoints | None:
     start_s, relax_s = stroke_start_s - preparation_s, stroke_end_s + hold_s
     ends = {"start": _rounded(start_s), "relax": _rounded(relax_s), "end": _rounded(relax_s + retraction_s)}
     ready_s = _rounded(stroke_start_s)
-    if not placing.stroked:
+    if not basis.stroked:
         return SyncPoints(ready=ready_s, **ends)
     return SyncPoints(
         ready=ready_s,
@@ -67,18 +67,18 @@ def placed(placing: TimingBasis, window: Window) -> SyncPoints | None:
     )
 
 
-def underway(placing: TimingBasis) -> TimingBasis:
+def underway(basis: TimingBasis) -> TimingBasis:
     """The basis for a gesture whose word comes too soon to prepare for it: its hand is raised already when the
     performance begins. If there is no time for the stroke either, it ends as soon after the vowel as it can."""
-    raised = replace(placing.timing, preparation=PhaseDuration(0.0, 0.0))
-    return replace(placing, timing=raised, at_s=max(placing.at_s, raised.alignment * raised.stroke.shortest_s))
+    raised = replace(basis.timing, preparation=PhaseDuration(0.0, 0.0))
+    return replace(basis, timing=raised, at_s=max(basis.at_s, raised.alignment * raised.stroke.shortest_s))
 
 
-def soonest(placing: TimingBasis) -> TimingBasis:
+def soonest(basis: TimingBasis) -> TimingBasis:
     """The basis for a start as soon as possible after the performance begins, a little late for its word."""
-    timing = placing.timing
+    timing = basis.timing
     earliest_s = timing.preparation.shortest_s + timing.alignment * timing.stroke.shortest_s
-    return replace(placing, at_s=max(placing.at_s, earliest_s))
+    return replace(basis, at_s=max(basis.at_s, earliest_s))
 
 
 def _taken(room_s: float, outer: PhaseDuration, inner: PhaseDuration, part: float = 1.0) -> tuple[float, float] | None:

@@ -204,19 +204,19 @@ def _order(behaviors: list[_Behavior]) -> Found:
     """Only times relative to the same point can be compared."""
     for behavior in behaviors:
         place, name = behavior.element.place or _NOWHERE, _shown(behavior.element)
-        told: dict[tuple[str | None, str, str] | None, list[tuple[str, float]]] = {}
+        at_points: dict[tuple[str | None, str, str] | None, list[tuple[str, float]]] = {}
         for sync in behavior.kind.syncs if behavior.kind else ():
             value = behavior.values.get(sync)
             if isinstance(value, Reference):
-                told.setdefault((value.block, value.behavior, value.point), []).append((sync, value.offset_s))
+                at_points.setdefault((value.block, value.behavior, value.point), []).append((sync, value.offset_s))
             elif isinstance(value, float):
-                told.setdefault(None, []).append((sync, value))
-        for points in told.values():
+                at_points.setdefault(None, []).append((sync, value))
+        for points in at_points.values():
             for (sync, time_s), (later, later_s) in pairwise(points):
                 if later_s < time_s:
                     yield place, f"{name}: {later} comes before {sync}"
-        if told.get(None) and told[None][0][1] < 0:
-            yield place, f"{name}: {told[None][0][0]} is before 0"
+        if at_points.get(None) and at_points[None][0][1] < 0:
+            yield place, f"{name}: {at_points[None][0][0]} is before 0"
 
 
 def _gazes(behaviors: list[_Behavior]) -> Found:

@@ -126,34 +126,34 @@ def written_slots(slots: Slots) -> str:
 
 def read_slots(text: str) -> Slots | None:
     """The slots in a text; None if there are none."""
-    told = dict(part.partition("=")[::2] for part in text.split())
+    parts = dict(part.partition("=")[::2] for part in text.split())
     slots = Slots(
-        height=_of(Height, told.get("height")),
-        height_m=_number_or_none(told.get("height_m")),
-        size=_of(Size, told.get("size")),
-        size_m=_number_or_none(told.get("size_m")),
-        count=_count(told.get("count")),
-        side=_of(Side, told.get("side")),
-        distance=_of(Distance, told.get("distance")),
-        elevation_deg=_number_or_none(told.get("elevation_deg")),
-        which=_of(Which, told.get("which")),
-        referent=told.get("referent") or None,
-        listener=told.get("listener") or None,
+        height=_of(Height, parts.get("height")),
+        height_m=_number_or_none(parts.get("height_m")),
+        size=_of(Size, parts.get("size")),
+        size_m=_number_or_none(parts.get("size_m")),
+        count=_count(parts.get("count")),
+        side=_of(Side, parts.get("side")),
+        distance=_of(Distance, parts.get("distance")),
+        elevation_deg=_number_or_none(parts.get("elevation_deg")),
+        which=_of(Which, parts.get("which")),
+        referent=parts.get("referent") or None,
+        listener=parts.get("listener") or None,
     )
     return slots or None
 
 
-def _of(kind: type[_Class], told: str | None) -> _Class | None:
-    return next((each for each in kind if each.value == told), None)
+def _of(kind: type[_Class], text: str | None) -> _Class | None:
+    return next((each for each in kind if each.value == text), None)
 
 
-def _count(told: str | None) -> int | None:
-    return int(told) if told and told.isascii() and told.isdigit() and len(told) < 3 else None
+def _count(text: str | None) -> int | None:
+    return int(text) if text and text.isascii() and text.isdigit() and len(text) < 3 else None
 
 
-def _number_or_none(told: str | None) -> float | None:
+def _number_or_none(text: str | None) -> float | None:
     try:
-        number = float(told or "nan")
+        number = float(text or "nan")
     except ValueError:
         return None
     return number if isfinite(number) else None

@@ -65,7 +65,7 @@ def resolve_times(
 
 def relative_times(stated: Sequence[StatedPoints], known: Mapping[tuple[str, str], float]) -> dict[str, Points]:
     """The points of those behaviours that can be resolved, of which some may be before 0."""
-    told: dict[tuple[str, str], float] = dict(known)
+    known_times: dict[tuple[str, str], float] = dict(known)
     found: dict[str, Points] = {}
     following: dict[str, list[StatedPoints]] = {}
     for each in stated:
@@ -74,9 +74,9 @@ def relative_times(stated: Sequence[StatedPoints], known: Mapping[tuple[str, str
     ready = deque(stated)
     while ready:
         each = ready.popleft()
-        if each.id not in found and all(_is_told(time, told) for time in each.times.values()):
-            found[each.id] = complete(each, {name: _seconds(time, told) for name, time in each.times.items()})
-            told |= {(each.id, name): time_s for name, time_s in found[each.id].items()}
+        if each.id not in found and all(_is_told(time, known_times) for time in each.times.values()):
+            found[each.id] = complete(each, {name: _seconds(time, known_times) for name, time in each.times.items()})
+            known_times |= {(each.id, name): time_s for name, time_s in found[each.id].items()}
             ready.extend(following.get(each.id, ()))
     return found
 
@@ -137,11 +137,11 @@ def _between(from_s: float, to_s: float, usual_s: Sequence[float]) -> list[float
     return [from_s + (to_s - from_s) * sum(shares[:place]) for place in range(len(usual_s))]
 
 
-def _is_told(time: Time, told: Iterable[tuple[str, str]]) -> bool:
-    return not isinstance(time, Reference) or (time.behavior, time.point) in told
+def _is_told(time: Time, known_times: Iterable[tuple[str, str]]) -> bool:
+    return not isinstance(time, Reference) or (time.behavior, time.point) in known_times
 
 
-def _seconds(time: Time, told: Mapping[tuple[str, str], float]) -> float:
+def _seconds(time: Time, known_times: Mapping[tuple[str, str], float]) -> float:
     if isinstance(time, Reference):
-        return told[time.behavior, time.point] + time.offset_s
+        return known_times[time.behavior, time.point] + time.offset_s
     return float(time)

@@ -253,6 +253,6 @@ def _wrong_bml(content: bytes, path: Path, found: list[tuple[TagPosition, str]])
         Mistake(path, place.line, place.column, message, lines[place.line - 1].replace("\t", " "))
         for place, message in found
     )
-    told = "; ".join(f"line {mistake.line}: {mistake.message}" for mistake in mistakes[:_MOST_IN_MESSAGE])
+    listed = "; ".join(f"line {mistake.line}: {mistake.message}" for mistake in mistakes[:_MOST_IN_MESSAGE])
     more = f"; and {len(mistakes) - _MOST_IN_MESSAGE} more" if len(mistakes) > _MOST_IN_MESSAGE else ""
-    return WrongBmlError("bml_wrong", f"{path}: {told}{more}", mistakes=mistakes)
+    return WrongBmlError("bml_wrong", f"{path}: {listed}{more}", mistakes=mistakes)

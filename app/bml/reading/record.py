@@ -140,9 +140,9 @@ def _times_s(found: Mapping[str, Value], name: str) -> tuple[float, ...] | None:
 
 def _manner(found: Mapping[str, Value]) -> Manner | None:
     """The amplitude, speed and tension in the record, if they are three positive numbers."""
-    told = (_text(found, "manner") or "").split()
+    words = (_text(found, "manner") or "").split()
     try:
-        numbers = [float(part) for part in told]
+        numbers = [float(part) for part in words]
     except ValueError:
         return None
     return Manner(*numbers) if len(numbers) == len(fields(Manner)) and all(0 < each < inf for each in numbers) else None

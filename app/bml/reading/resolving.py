@@ -290,8 +290,8 @@ def _missed_end(
     """A notice if the speech does not end when it was asked to."""
     asked_s, end_s = time_of(speech.end, points, known), points.get(speech.id, {}).get("end")
     if asked_s is not None and end_s is not None and abs(end_s - asked_s) >= APART_S:
-        told = f"{speech.id}:end comes at {end_s:.3f} s, not at {asked_s:.3f} s as asked: its words keep their times"
-        yield Notice("bml_constraint_missed", told)
+        message = f"{speech.id}:end comes at {end_s:.3f} s, not at {asked_s:.3f} s as asked: its words keep their times"
+        yield Notice("bml_constraint_missed", message)
 
 
 def _is_of(time: Time, speech: str) -> TypeGuard[Reference]:
@@ -317,9 +317,11 @@ def _unplayed_parts(name: str, element: Element | None) -> Iterator[str]:
     parts = () if element is None or not element.name.startswith("posture") else tuple(element.children)
     stances = (part.attributes.get("type") for part in parts if part.name == "stance")
     yield from (
-        f"the stance {told} of {name} is not played: bodies always stand" for told in stances if told != "STANDING"
+        f"the stance {stance} of {name} is not played: bodies always stand"
+        for stance in stances
+        if stance != "STANDING"
     )
     poses = [part for part in parts if part.name == "pose"]
     for pose in poses[1:]:
-        told = f"the pose {pose.attributes.get('lexeme')} of {name} is not played"
-        yield f"{told}: a body takes one pose at a time, here {poses[0].attributes.get('lexeme')}"
+        message = f"the pose {pose.attributes.get('lexeme')} of {name} is not played"
+        yield f"{message}: a body takes one pose at a time, here {poses[0].attributes.get('lexeme')}"

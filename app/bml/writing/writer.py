@@ -173,17 +173,17 @@ Json = str | int | float | dict[str, "Json"] | list["Json"]
 
 def to_json(document: Document) -> bytes:
     """The document as indented UTF-8 JSON; deterministic."""
-    told: Json = {"dialect": document.dialect.value, "root": _element(document.root)}
-    return json.dumps(told, ensure_ascii=False, indent=1).encode() + b"\n"
+    document_json: Json = {"dialect": document.dialect.value, "root": _element(document.root)}
+    return json.dumps(document_json, ensure_ascii=False, indent=1).encode() + b"\n"
 
 
 def _element(element: Element) -> Json:
-    told: dict[str, Json] = {"element": element.name}
+    fields: dict[str, Json] = {"element": element.name}
     if element.attributes:
-        told["attributes"] = {name: _value(value) for name, value in element.attributes.items()}
+        fields["attributes"] = {name: _value(value) for name, value in element.attributes.items()}
     if element.content:
-        told["content"] = [part if isinstance(part, str) else _element(part) for part in element.content]
-    return told
+        fields["content"] = [part if isinstance(part, str) else _element(part) for part in element.content]
+    return fields
 
 
 def _value(value: Value) -> Json:

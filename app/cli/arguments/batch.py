@@ -12,7 +12,7 @@ FORMATS_HELP = (
 
 
 def add_batch(add: Adding) -> None:
-    parser = add("batch", "many lines: a script and its recordings in, a performance of each out")
+    parser = add("batch", "perform a whole script: the lines and their recordings in, a performance of each out")
     parser.add_argument("script", metavar="SCRIPT", type=InputFile, help=SCRIPTS_HELP)
     parser.add_argument(
         "--audio", metavar="DIR", required=True, help="the folder of recordings, or the one recording of all lines"
@@ -81,10 +81,14 @@ def _add_running(parser: argparse.ArgumentParser) -> None:
     engine = parser.add_mutually_exclusive_group()
     engine.add_argument("--scheduler", metavar="tcp://HOST:PORT", help="use the workers of a dask cluster instead")
     engine.add_argument(
-        "--service", metavar="URL", help="use an understudy service instead; N lines are posted at a time"
+        "--service",
+        metavar="URL",
+        help="use an understudy service instead; --workers is then how many lines are sent at a time",
     )
     parser.add_argument(
-        "--shared-files", action="store_true", help="the cluster's workers see the same folders, so no files are sent"
+        "--shared-files",
+        action="store_true",
+        help="the cluster's workers see the same folders, so files need not be sent",
     )
     parser.add_argument(
         "--dry-run", action="store_true", help="report what would be done and what is missing, without doing it"

@@ -87,13 +87,13 @@ def add_option(parser: argparse.ArgumentParser, option: Option, **otherwise: Any
 
 def _described(option: Option) -> dict[str, Any]:
     """The arguments with which argparse adds the option."""
-    told: dict[str, Any] = {"help": option.told_in_command()}
+    fields: dict[str, Any] = {"help": option.told_in_command()}
     if option.kind is bool:
-        return told | {"action": argparse.BooleanOptionalAction if option.default is None else "store_true"}
+        return fields | {"action": argparse.BooleanOptionalAction if option.default is None else "store_true"}
     if isinstance(option.default, (tuple, Mapping)):
-        return told | {"action": "append", "default": [], "metavar": option.metavar}
-    told |= {"type": option.kind, "default": option.default}
-    return told | ({"choices": _plain(option.choices)} if option.choices else {"metavar": option.metavar})
+        return fields | {"action": "append", "default": [], "metavar": option.metavar}
+    fields |= {"type": option.kind, "default": option.default}
+    return fields | ({"choices": _plain(option.choices)} if option.choices else {"metavar": option.metavar})
 
 
 def _plain(choices: Iterable[str | int]) -> tuple[str | int, ...]:
@@ -119,7 +119,9 @@ def add_rate(parser: argparse.ArgumentParser) -> None:
 def add_motion(parser: argparse.ArgumentParser) -> None:
     """Adds the options of a motion and of its files."""
     add_rate(parser)
-    parser.add_argument("--avatar", metavar="FILE", type=InputFile, help="your own GLB or VRM, to be animated in .glb")
+    parser.add_argument(
+        "--avatar", metavar="FILE", type=InputFile, help="your own GLB or VRM, which .glb files then contain"
+    )
     add_options(parser, MOTION, *FILES)
 
 
@@ -140,39 +142,43 @@ def add_line(parser: argparse.ArgumentParser) -> None:
     """Adds the recording, its words and their times."""
     parser.add_argument("audio", metavar="AUDIO", type=InputFile, help=AUDIO_HELP)
     add_text(parser, "the words that are spoken")
-    add_words(parser, "word times from another aligner: .json, .TextGrid or .ctm; nothing is aligned")
+    add_words(parser, "word times from another aligner, in place of our alignment: .json, .TextGrid or .ctm")
     parser.set_defaults(functions=None, direction=None, edits=None)
 
 
-def add_text(parser: argparse.ArgumentParser, told: str) -> None:
+def add_text(parser: argparse.ArgumentParser, help_text: str) -> None:
     """Adds the words, on the command line or in a file."""
     text = parser.add_mutually_exclusive_group(required=True)
-    text.add_argument("--text", help=told)
+    text.add_argument("--text", help=help_text)
     text.add_argument("--text-file", metavar="FILE", type=InputFile, help="a file with the words; - for standard input")
 
 
-def add_words(parser: argparse.ArgumentParser, told: str) -> None:
-    parser.add_argument("--words", metavar="FILE", type=InputFile, help=told)
+def add_words(parser: argparse.ArgumentParser, help_text: str) -> None:
+    parser.add_argument("--words", metavar="FILE", type=InputFile, help=help_text)
 
 
 def add_agitation_model(parser: argparse.ArgumentParser) -> None:
-    told = "judge agitation by a model of your own, from understudy agitation train"
-    parser.add_argument("--agitation-model", metavar="MODEL", type=InputFile, help=told)
+    help_text = "judge agitation with your own model, made by understudy agitation train"
+    parser.add_argument("--agitation-model", metavar="MODEL", type=InputFile, help=help_text)
 
 
 def add_motion_model(parser: argparse.ArgumentParser) -> None:
-    told = "arms, trunk and head of --realize by a motion model: of understudy motion-model train, or default"
-    parser.add_argument("--motion-model", metavar="MODEL", type=InputFile, help=told)
-    told = "what drives it: voice and affect (S1, S2), voice (S3, S4), affect (S5, S6), or RTS (default S1)"
-    parser.add_argument("--scenario", metavar="S1…S6", help=told)
+    help_text = "arms, trunk and head of --realize by a motion model: from understudy motion-model train, or default"
+    parser.add_argument("--motion-model", metavar="MODEL", type=InputFile, help=help_text)
+    help_text = (
+        "what drives the motion model: voice and affect (S1, S2), voice (S3, S4), affect (S5, S6), or RTS (default S1)"
+    )
+    parser.add_argument("--scenario", metavar="S1…S6", help=help_text)
 
 
 def add_functions(parser: argparse.ArgumentParser) -> None:
-    told = "known communicative functions: a JSON list"
-    parser.add_argument("--functions", metavar="FILE", type=InputFile, help=told)
+    help_text = "known communicative functions: a JSON list"
+    parser.add_argument("--functions", metavar="FILE", type=InputFile, help=help_text)
 
 
-def add_output(parser: argparse.ArgumentParser, metavar: str, told: str, *, default: str | None = None) -> None:
+def add_output(parser: argparse.ArgumentParser, metavar: str, help_text: str, *, default: str | None = None) -> None:
     """Adds the option for the output file, which is required if there is no default."""
     needed = default is None
-    parser.add_argument("-o", "--output", metavar=metavar, type=OutputName, required=needed, default=default, help=told)
+    parser.add_argument(
+        "-o", "--output", metavar=metavar, type=OutputName, required=needed, default=default, help=help_text
+    )

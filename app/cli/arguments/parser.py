@@ -83,7 +83,7 @@ def add_studio(add: Adding) -> None:
     text = parser.add_mutually_exclusive_group()
     text.add_argument("--text", help="the words that are spoken")
     text.add_argument("--text-file", metavar="FILE", type=InputFile, help="a file with the words")
-    parser.add_argument("--scene", metavar="DIR", help="a scene for a table read: the folder that batch wrote to")
+    parser.add_argument("--scene", metavar="DIR", help="open a whole scene: the folder that batch wrote to")
     parser.add_argument("--port", type=_port, default=0, help="port to listen on (default: one that is free)")
     parser.add_argument(
         "--rules",
@@ -112,22 +112,22 @@ def _port(text: str) -> int:
 
 
 def add_study(add: Adding) -> None:
-    add_action = actions_of(add("study", "the papers' comparisons: clips and a blind page, statistics"))
-    _add_make(add_action("make", "clips of lines in each condition, and a page on which raters judge them"))
-    score = add_action("score", "the statistics of raters' answers, as the papers' tables")
+    add_action = actions_of(add("study", "run the papers' comparisons: clips on a blind rating page, then statistics"))
+    _add_make(add_action("make", "make clips of lines in each condition, and a page on which raters judge them"))
+    score = add_action("score", "compute the statistics of raters' answers, in the form of the papers' tables")
     score.add_argument("answers", metavar="ANSWERS.csv", nargs="+", type=InputFile, help="the raters' answer files")
     score.add_argument(
         "--key",
         metavar="KEY.csv",
         type=InputFile,
-        help="what each clip shows, from study make (default: key.csv beside the answers or one folder up)",
+        help="what each clip shows, written by study make (default: key.csv beside the answers or one folder up)",
     )
     score.add_argument("-o", "--output", metavar="REPORT", type=OutputName, help="also write the report: .json or .md")
 
 
 def _add_make(make: argparse.ArgumentParser) -> None:
-    told = f"{SCRIPTS_HELP}; or a folder of recordings, each with its words in a .txt of the same name"
-    make.add_argument("lines", metavar="LINES", help=told)
+    help_text = f"{SCRIPTS_HELP}; or a folder of recordings, each with its words in a .txt of the same name"
+    make.add_argument("lines", metavar="LINES", help=help_text)
     make.add_argument(
         "--audio", metavar="DIR", help="the folder of the script's recordings (default: the script's folder)"
     )

@@ -66,6 +66,6 @@ def _told(found: LeftOut) -> str:
     judged = f"{found.by} left out: {found.balanced:.2f} right on average over levels ({shares}; chance .33)"
     voices = "1 speaker" if found.speakers == 1 else f"{found.speakers} speakers"
     warning = (
-        "" if found.by == "speaker" else "\ntoo few speakers to leave one out: of other speakers this tells little"
+        "" if found.by == "speaker" else "\ntoo few speakers to leave one out: this says little about other speakers"
     )
     return f"{found.recordings} recordings of {voices}; each {judged}{warning}"

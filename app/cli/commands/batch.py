@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ...batch.batch import entries_before, run_batch
 from ...batch.layout import OURS, USUAL, Layout
-from ...batch.manifest.store import ManifestEntry, State
+from ...batch.manifest.entries import ManifestEntry, State
 from ...batch.matching import RecordingPattern, TakeChoice
 from ...batch.planning import BatchRequest, plan_batch
 from ...batch.reports.dry_run import dry_run

@@ -54,8 +54,8 @@ def _list(arguments: argparse.Namespace, _log: Log) -> None:
     library = load_gestures()
     if arguments.json:
         characters = load_characters()
-        told = GesturesResponse.of(library.definitions, load_families(characters), characters)
-        write_standard(told.to_json(indent=2) + b"\n")
+        response = GesturesResponse.of(library.definitions, load_families(characters), characters)
+        write_standard(response.to_json(indent=2) + b"\n")
     else:
         _print([*map(_headline, library.definitions), "", *_counts(library)])
 

@@ -141,7 +141,7 @@ def _search(arguments: argparse.Namespace) -> Search:
     """RTS' m and n. Raises InputError `value_wrong`, `usage`."""
     step, best = arguments.search or (1, None)
     if arguments.search and not arguments.model:
-        raise InputError("usage", "--search is how a motion model's path is searched; give its --model")
+        raise InputError("usage", "--search needs --model")
     if step < 1 or (best is not None and best < 1):
         raise InputError("value_wrong", f"--search {step} {best}; give 1 or more for both", field="search")
     return Search(step, best)

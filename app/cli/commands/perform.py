@@ -122,10 +122,10 @@ def _movement(arguments: argparse.Namespace) -> Callable[[Analysis, AffectTrack 
     """The movement by a motion model, if one is requested. Raises InputError `motion_model`, `usage`."""
     if arguments.motion_model is None:
         if arguments.scenario:
-            raise InputError("usage", "--scenario drives a motion model; give its --motion-model")
+            raise InputError("usage", "--scenario needs --motion-model")
         return None
     if not arguments.realize:
-        raise InputError("usage", "--motion-model moves a body; say with --realize where its motion goes")
+        raise InputError("usage", "--motion-model needs --realize, which says where the motion goes")
     if arguments.physics:
         raise InputError("usage", "--motion-model plays recorded motion; leave out --physics")
     from ...library.motion_models import DEFAULT_SCENARIO, moving_by, read_motion_model, scenario_named
@@ -181,7 +181,7 @@ def _beside(output: str, name: str) -> OutputName:
 def _check_targets(arguments: argparse.Namespace, settings: Settings) -> None:
     """Raises InputError before the work is done if its result could not be written."""
     if arguments.listener and arguments.output == STANDARD:
-        raise InputError("usage", "a listener's BML goes beside the speaker's; say where with -o OUT.bml")
+        raise InputError("usage", "a listener's BML is written beside the speaker's; give -o OUT.bml")
     listeners = [_beside(arguments.output, name) for name in listener_names(arguments.listener)]
     beside = [*listeners, *_speech_file_names(arguments)]
     require_distinct(arguments, beside)

@@ -40,7 +40,7 @@ def run(arguments: argparse.Namespace, log: Log) -> int:
         _write_read(arguments, bml, options, log)
         return 0
     if arguments.fap:
-        raise InputError("usage", "--fap is the face of a body's parameters; give FILE.bap")
+        raise InputError("usage", "--fap belongs to FILE.bap; give that as well")
     staged = _prepared(bml, audio, arguments, settings, log)
     log.warnings(staged.notices)
     write_motions(arguments.output, staged, options, recording(arguments.audio, audio), log)

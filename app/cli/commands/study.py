@@ -65,8 +65,8 @@ def _profile(arguments: argparse.Namespace, comparison: Comparison) -> Profile |
     if comparison is Comparison.UNITS and len(named) < 2:
         return optional_profile(named[0] if named else USUAL_PROFILE)
     if named and comparison is not Comparison.SPEAKERS:
-        told = "leave it out, or --compare units with one, or --compare speakers with two"
-        raise InputError("usage", f"--profile: stress, chance and motion models have no profile; {told}")
+        message = "leave it out, or --compare units with one, or --compare speakers with two"
+        raise InputError("usage", f"--profile: stress, chance and motion models use no profile; {message}")
     return None
 
 

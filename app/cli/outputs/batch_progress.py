@@ -8,7 +8,7 @@ from typing import Any, Self
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TaskID, TextColumn, TimeRemainingColumn
 
-from ...batch.manifest.store import ManifestEntry, State
+from ...batch.manifest.entries import ManifestEntry, State
 from ...batch.planning import BatchPlan, without_audio
 from ..log import Audience, Log
 
@@ -57,8 +57,8 @@ class BatchProgress:
         fields = {"id": entry.id, "state": entry.state.value, "seconds": entry.seconds}
         if entry.failure is not None:
             fields |= {"code": entry.failure.code, "message": entry.failure.message}
-        told = f"{entry.id}: {entry.failure.message}" if entry.failure else ""
-        self._log.event("line", {**fields, **self._figures()}, told)
+        message = f"{entry.id}: {entry.failure.message}" if entry.failure else ""
+        self._log.event("line", {**fields, **self._figures()}, message)
         self._show()
 
     def _show(self) -> None:

@@ -87,7 +87,7 @@ def profile_lines(profile: Profile) -> Iterator[str]:
     yield f"gestures: {_shares(lexemes, MOST_LEXEMES)}"
     if profile.head.eye_contact is not None:
         yield f"eyes on the listener {profile.head.eye_contact:.0%} of the time"
-    yield "what comes with what is said:"
+    yield "gestures by what is said:"
     by_likelihood = sorted(profile.tags.items(), key=lambda item: -sum(item[1].lexemes.values()))
     for tag, habit in by_likelihood[:MOST_TAGS]:
         yield f"  {tag:24s} {sum(habit.lexemes.values()):4.0%}  {_shares(habit.lexemes, MOST_OF_A_TAG)}"
@@ -151,8 +151,8 @@ def unused_lines(unused: UnusedEntries) -> Iterator[str]:
 
 def _moment(moment: Moment, words: Sequence[Word]) -> Iterator[str]:
     spoken = " ".join(word.text for word in words[moment.first : moment.last + 1])
-    told = f"  {moment.channel} {moment.families[0]} on {words[moment.stroke].text!r} (word {moment.stroke})"
-    yield f"{told:<{WORDS_COLUMN}} {spoken}"
+    moment_column = f"  {moment.channel} {moment.families[0]} on {words[moment.stroke].text!r} (word {moment.stroke})"
+    yield f"{moment_column:<{WORDS_COLUMN}} {spoken}"
     if moment.set_against is not None:
         yield f"    placed {moment.families[1]}, against {words[moment.set_against].text!r} (word {moment.set_against})"
     for term in moment.terms:
@@ -164,10 +164,10 @@ def _moment(moment: Moment, words: Sequence[Word]) -> Iterator[str]:
 def _behavior(behavior: Behavior, words: Sequence[Word]) -> str:
     """A movement on its words, with what spoke most for it; or why it is not shown."""
     spoken = " ".join(word.text for word in words[behavior.first : behavior.last + 1])
-    told = f"{'' if behavior.kept else 'not '}{behavior.kind} {behavior.lexeme.lower()}"
+    described = f"{'' if behavior.kept else 'not '}{behavior.kind} {behavior.lexeme.lower()}"
     part = max(behavior.decided_by, key=lambda each: each.weight, default=None)
     why = f"{part.name} {part.weight:+.2f}" if part else behavior.rule or ""
-    return f"  {told:30s} {spoken:30s} {why if behavior.kept else behavior.reason or ''}".rstrip()
+    return f"  {described:30s} {spoken:30s} {why if behavior.kept else behavior.reason or ''}".rstrip()
 
 
 def _firing(firing: RuleFiring, words: Sequence[Word]) -> Iterator[str]:

@@ -42,9 +42,9 @@ class Word:
     """A word of the transcript; without audio it has no interval, no phones and none of the measures.
 
     The measures are in [0, 1]: the stressed ratio is the paper's (§3.1.5), prominence is ours and needs phones, and
-    emphasis is derived from the one that is chosen (`understudy.acoustic.stress`); everything else uses
-    emphasis. `focus` is the word's share of the line's narrow focus, how likely it is the word that is stressed against
-    the others; the shares of a line sum to 1. `spread` marks times that were guessed from loudness alone.
+    emphasis is derived from the one that is chosen (`understudy.acoustic.stress`); everything else uses emphasis.
+    `focus` is the word's share of the line's narrow focus, how likely it is the word that is stressed against the
+    others; the shares of a line sum to 1. `spread` marks times that were guessed from loudness alone.
     """
 
     index: int

@@ -62,8 +62,8 @@ class _AnvilTracks:
             number = int(number_of(element, "index") or place)
             times = _times(element, track.get("type", "primary"), self._spans.get(refers, {}))
             if times is None:
-                told = f"element {number} has no time, or refers to an element that is not there"
-                self._wrong(name, element, told)
+                message = f"element {number} has no time, or refers to an element that is not there"
+                self._wrong(name, element, message)
                 self._timeless.add((name, str(number)))
                 continue
             said = {each.get("name", "").strip().lower(): _value(each) for each in element.iter("attribute")}
@@ -85,8 +85,8 @@ class _AnvilTracks:
             if {(link.track, link.first), (link.track, link.last)} & self._timeless:
                 continue
             if None in ends:
-                told = f"{attribute} names elements {link.first} to {link.last} of {link.track!r}: there are no such"
-                self.mistakes.append(AnnotationMistake(self._path, told, name, span.start_s))
+                message = f"{attribute} names elements {link.first} to {link.last} of {link.track!r}: there are no such"
+                self.mistakes.append(AnnotationMistake(self._path, message, name, span.start_s))
             else:
                 found[attribute] = f"{ends[0]}-{ends[1]}"
         return replace(span, attributes={**span.attributes, **found}) if found else span

@@ -32,8 +32,8 @@ def read_elan(content: bytes, path: Path) -> tuple[Track, ...]:
         for annotation in tier.iter("ALIGNABLE_ANNOTATION", "REF_ANNOTATION"):
             found = times.get(annotation.get("ANNOTATION_ID", ""))
             if found is None:
-                told = f"annotation {annotation.get('ANNOTATION_ID')} refers to what has no time"
-                wrong.append(AnnotationMistake(path, told, name))
+                message = f"annotation {annotation.get('ANNOTATION_ID')} refers to what has no time"
+                wrong.append(AnnotationMistake(path, message, name))
                 continue
             spans.append(TrackSpan(*found, (annotation.findtext("ANNOTATION_VALUE") or "").strip()))
         tracks.append(track_of(name, spans))
@@ -50,8 +50,8 @@ def _unreadable(root: etree._Element, path: Path) -> Iterator[AnnotationMistake]
         yield AnnotationMistake(path, f"times in {units}; save it with times in {_UNITS}")
     for slot in root.iter("TIME_SLOT"):
         if slot.get("TIME_VALUE") is not None and number_of(slot, "TIME_VALUE") is None:
-            told = f"line {slot.sourceline}: time slot {slot.get('TIME_SLOT_ID')} is at {slot.get('TIME_VALUE')!r}"
-            yield AnnotationMistake(path, f"{told}; give {_UNITS}")
+            message = f"line {slot.sourceline}: time slot {slot.get('TIME_SLOT_ID')} is at {slot.get('TIME_VALUE')!r}"
+            yield AnnotationMistake(path, f"{message}; give {_UNITS}")
 
 
 def _slots_s(root: etree._Element) -> Mapping[str, float]:

@@ -86,8 +86,8 @@ def _check_hands(phrases: Track, checking: Checking) -> None:
     """If no phrase has a hand, reports one mistake for the track."""
     checking.hands_said = not phrases.spans or any(span.attributes.get("hand") for span in phrases.spans)
     if not checking.hands_said:
-        told = "no phrase says its hand: give each the attribute hand, or a track phrases.hand, with RH, LH or 2H"
-        checking.wrong("phrases", None, told)
+        message = "no phrase has a hand: give each the attribute hand, or a track phrases.hand, with RH, LH or 2H"
+        checking.wrong("phrases", None, message)
 
 
 def _phrase(span: TrackSpan, phases: InTime[Phase], checking: Checking) -> GesturePhrase | None:

@@ -128,8 +128,8 @@ def tag_of(span: TrackSpan, checking: Checking) -> str | None:
 def _check_tag(tag: str, track: str, span: TrackSpan, checking: Checking) -> None:
     """Records a mistake if a tag is not a communicative function, since no words could have it."""
     if checking.tags is not None and tag not in checking.tags:
-        told = f"no function is called {tag!r}{did_you_mean(tag, checking.tags)} (docs/functions.md)"
-        checking.wrong(track, span.start_s, told)
+        message = f"no function is called {tag!r}{did_you_mean(tag, checking.tags)} (docs/functions.md)"
+        checking.wrong(track, span.start_s, message)
 
 
 def labelled_of(track: Track, checking: Checking) -> tuple[LabelledInterval, ...]:
@@ -151,10 +151,9 @@ def rest_of(span: TrackSpan, checking: Checking) -> str | None:
     """The rest pose after a unit; None if not annotated."""
     rest = span.label.strip().lower().replace(" ", "_")
     if rest and rest not in RESTS:
-        told = (
-            f"hands do not rest {span.label!r}{did_you_mean(rest, RESTS)}; give one of {', '.join(RESTS)}, or nothing"
-        )
-        checking.wrong("units", span.start_s, told)
+        hint = did_you_mean(rest, RESTS)
+        message = f"the hands have no rest pose {span.label!r}{hint}; give one of {', '.join(RESTS)}, or nothing"
+        checking.wrong("units", span.start_s, message)
     return rest or None
 
 
@@ -174,8 +173,8 @@ def lexeme_of(span: TrackSpan, checking: Checking) -> str:
 def unknown_attributes(span: TrackSpan, checking: Checking) -> None:
     """Records a mistake for each unknown attribute of a phrase."""
     for name in span.attributes.keys() - PHRASE_ATTRIBUTES:
-        told = f"a phrase has no attribute {name!r}{did_you_mean(name, PHRASE_ATTRIBUTES)}"
-        checking.wrong("phrases", span.start_s, told)
+        message = f"a phrase has no attribute {name!r}{did_you_mean(name, PHRASE_ATTRIBUTES)}"
+        checking.wrong("phrases", span.start_s, message)
 
 
 def hand_of(span: TrackSpan, checking: Checking) -> Hand:
@@ -204,8 +203,10 @@ def position_of(span: TrackSpan, name: str, checking: Checking) -> Position | No
     swivel = next((each for each in Swivel if each in said), Swivel.NORMAL)
     extra = [word for word in said if word not in {*parts, *Swivel}]
     if None in parts or extra:
-        told = f"{name} {' '.join(said)!r}; give a sector across, in height and away, such as 'XC YCC ZMiddle normal'"
-        checking.wrong("phrases", span.start_s, told)
+        message = (
+            f"{name} {' '.join(said)!r}; give a sector across, in height and away, such as 'XC YCC ZMiddle normal'"
+        )
+        checking.wrong("phrases", span.start_s, message)
         return None
     sideways, height, depth = map(str, parts)
     return Position(sideways, height, depth, swivel)

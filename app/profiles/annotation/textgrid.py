@@ -73,8 +73,8 @@ class _TextGridValues:
         if number is None and value.startswith('"'):
             raise _BrokenError(f"line {self._line}: a number is expected, and there is {value}")
         if number is None:
-            told = f"line {self._line}: {value!r} is not a number"
-            self.mistakes.append(AnnotationMistake(self._path, told, self.track))
+            message = f"line {self._line}: {value!r} is not a number"
+            self.mistakes.append(AnnotationMistake(self._path, message, self.track))
         return number
 
     def _count(self) -> int:

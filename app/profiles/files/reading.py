@@ -178,7 +178,7 @@ def _mistakes(form: ProfileForm, lexemes: Collection[str] | None) -> Iterator[tu
     for distance in ("near", "medium", "far"):
         rest = getattr(form.rests, distance)
         if rest not in RESTS:
-            yield ("rests", distance), f"hands do not rest {rest!r}{did_you_mean(rest, RESTS)}"
+            yield ("rests", distance), f"the hands have no rest pose {rest!r}{did_you_mean(rest, RESTS)}"
     yield from _places(form)
 
 
@@ -200,8 +200,8 @@ def _places(form: ProfileForm) -> Iterator[tuple[_Place, str]]:
     for number, occurrence in enumerate(form.database):
         for key, said in (("from", occurrence.start), ("to", occurrence.end)):
             if _position(said) is None:
-                told = f"{said!r}: give a sector across, in height and away, such as 'XC YCC ZMiddle normal'"
-                yield ("database", number, key), told
+                message = f"{said!r}: give a sector across, in height and away, such as 'XC YCC ZMiddle normal'"
+                yield ("database", number, key), message
 
 
 def _distributions(form: ProfileForm) -> Iterator[tuple[_Place, Mapping[str, float]]]:

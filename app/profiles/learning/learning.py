@@ -84,7 +84,7 @@ def doubts(profile: Profile, annotations: Sequence[Annotation], postures: Collec
             yield Notice("annotation_tracks_unread", message)
     unknown = [each for each in profile.head.postures if each not in postures]
     if unknown:
-        message = f"postures that no body takes: {', '.join(unknown)}; there are {', '.join(postures)}"
+        message = f"unknown postures: {', '.join(unknown)}; there are {', '.join(postures)}"
         yield Notice("annotation_postures_unknown", message)
     if profile.gestures < FEW_GESTURES:
         message = (

@@ -76,7 +76,7 @@ class ArmTrack:
     def __post_init__(self) -> None:
         times_s = [key.time_s for key in self.keys]
         if not self.keys or not self.keys[0].pose.defined.all():
-            raise ValueError("an arm's track begins with a pose that says the whole arm")
+            raise ValueError("an arm's track begins with a pose that defines the whole arm")
         if any(later <= sooner for sooner, later in pairwise(times_s)):
             raise ValueError("the keys of an arm's track are at rising times")
 

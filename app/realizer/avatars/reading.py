@@ -74,7 +74,7 @@ def read_avatar(content: bytes, rigs: Mapping[str, Rig]) -> Avatar:
         _refuse_strange_bones(named, len(file.nodes))
         missing = [joint for joint in NEEDED if joint not in named]
         if missing:
-            message = f"the avatar has no {', '.join(missing)} by the names of VRM or of {', '.join(rigs)}"
+            message = f"the avatar has no {', '.join(missing)} under the names of VRM or of {', '.join(rigs)}"
             raise InputError("unknown_avatar", message, field="avatar")
         matrices, orientations = _at_rest(file.nodes, parents, frozenset(named.values()))
         _refuse_flat_space(matrices, parents[named["hips"]])
@@ -103,7 +103,7 @@ def _finite(text: str) -> float:
 
 
 def _not_finite(text: str) -> NoReturn:
-    raise ValueError(f"{text[:20]} is not a number that JSON has")
+    raise ValueError(f"{text[:20]} is not a JSON number")
 
 
 def _parents(file: AvatarFile, size: int) -> tuple[int, ...]:

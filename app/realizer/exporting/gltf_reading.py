@@ -277,7 +277,7 @@ def _between(times_s: FloatArray, values: FloatArray, time_s: float, *, stepped:
 
 def _unit(value: FloatArray) -> FloatArray:
     if np.linalg.norm(value) < 0.5:
-        raise ValueError("an animation has a rotation that is none")
+        raise ValueError("an animation has an invalid rotation")
     return normalized(value)
 
 

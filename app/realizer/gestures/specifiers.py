@@ -274,7 +274,7 @@ def _turns(statement: Statement, form: TrackForm | None, wrong: list[LocatedMist
             wrong.append(LocatedMistake(more[0], f"a track that is {form} has three angles; turns are for circling"))
         return 0.0, 0.0
     if not more:
-        wrong.append(LocatedMistake(statement.words[0], "a track that is circling says its turns after the angles"))
+        wrong.append(LocatedMistake(statement.words[0], "a circling track gives its turns after the angles"))
         return 0.0, 0.0
     phase_deg = number(more[1], -MOST_PHASE_DEG, MOST_PHASE_DEG, wrong, unit="°") if more[1:] else 0.0
     return number(more[0], FEWEST_TURNS, MOST_TURNS, wrong) or 0.0, phase_deg or 0.0

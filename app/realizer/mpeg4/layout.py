@@ -119,7 +119,9 @@ def read_parameter_file(content: bytes, every: tuple[str, ...], name: str) -> Re
     lines = [line.split() for line in content.decode("latin-1").splitlines() if line.strip()]
     version, rate_hz, frames = _first_line(lines[0] if lines else [], name)
     if len(lines) < 1 + 2 * frames:
-        raise _unreadable(name, len(lines), f"the file ends; the first line tells {frames} frames of two lines")
+        raise _unreadable(
+            name, len(lines), f"the file ends too soon; its first line announces {frames} frames of two lines"
+        )
     rows, now = [], dict[str, float]()
     for frame in range(frames):
         place = 1 + 2 * frame

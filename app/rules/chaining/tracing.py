@@ -108,7 +108,7 @@ def trace_rule(program: Program, rule: Rule, facts: Iterable[Fact]) -> RuleTrace
             return RuleTrace(tuple(tracer.firing(rule, match) for match in found), ())
         if found:
             return RuleTrace((), tuple(tracer.near_miss(rule, match) for match in found))
-    raise AssertionError(f"rule {rule.name} has other statements than it has")
+    raise AssertionError(f"rule {rule.name} matches only with more unmet statements than it has")
 
 
 def fires(rule: Rule, facts: FactBase) -> bool:

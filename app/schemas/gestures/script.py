@@ -34,34 +34,34 @@ class _ScriptForm(BaseModel):
     model_config = ConfigDict(defer_build=True, frozen=True, extra="forbid")
 
 
-def _sectors(told: str) -> str:
+def _sectors(text: str) -> str:
     """Checks a place: a sector across, one in height, one away from the body, and perhaps a swivel."""
-    words = told.split()
+    words = text.split()
     counts = [sum(word in known for word in words) for known in (SIDEWAYS, HEIGHTS, DEPTHS)]
     swivels = sum(word in set(Swivel) for word in words)
     if counts != [1, 1, 1] or swivels > 1 or len(words) != 3 + swivels:
-        raise ValueError(f"{told!r} is not a place; give one sector each of {_known()}, such as 'XC YCC ZMiddle'")
-    return told
+        raise ValueError(f"{text!r} is not a place; give one sector each of {_known()}, such as 'XC YCC ZMiddle'")
+    return text
 
 
 def _known() -> str:
     return "; ".join(" ".join(words) for words in (SIDEWAYS, HEIGHTS, DEPTHS))
 
 
-def _track(told: str) -> str:
+def _track(text: str) -> str:
     """Checks an offset track, in the words of the gesture language without its keyword."""
-    track_of(told)
-    return told
+    track_of(text)
+    return text
 
 
 _Position = Annotated[str, AfterValidator(_sectors)]
 _Track = Annotated[str, AfterValidator(_track)]
 
 
-def _position(told: str | None) -> Position | None:
-    if told is None:
+def _position(text: str | None) -> Position | None:
+    if text is None:
         return None
-    words = told.split()
+    words = text.split()
     across, height, depth = (next(word for word in words if word in known) for known in (SIDEWAYS, HEIGHTS, DEPTHS))
     return Position(across, height, depth, next((each for each in Swivel if each in words), Swivel.NORMAL))
 
@@ -170,8 +170,8 @@ def read_script(content: bytes) -> Performance:
         first = error.errors()[0]
         if first["type"] == "json_invalid":
             raise UndecodableError("not_json", f"the script is not JSON: {first['msg']}", field="bml") from None
-        told = "; ".join(f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.errors())
-        raise InputError("script_wrong", f"the gesture script: {told}", field="bml") from None
+        listed = "; ".join(f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.errors())
+        raise InputError("script_wrong", f"the gesture script: {listed}", field="bml") from None
     script = _script(form)
     words = tuple(_word(number, word) for number, word in enumerate(form.words))
     lips, notices = visemes(words, form.duration_s)
@@ -206,8 +206,8 @@ def _unprepared(script: GestureScript) -> Iterator[tuple[ScriptedGesture, Script
 def _moved_starts(script: GestureScript) -> Iterator[Notice]:
     for before, gesture in _unprepared(script):
         if gesture.start is not None and _differ(gesture.start, before.end):
-            told = f"{gesture.id} has no preparation: its stroke begins where {before.id} ended, at {before.end}"
-            yield Notice("script_start", f"{told}, not at {gesture.start}")
+            message = f"{gesture.id} has no preparation: its stroke begins where {before.id} ended, at {before.end}"
+            yield Notice("script_start", f"{message}, not at {gesture.start}")
 
 
 def _differ(one: Position, other: Position | None) -> bool:

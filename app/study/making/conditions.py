@@ -77,7 +77,7 @@ def in_units_and_singly(models: Understudy, study_line: StudyLine) -> UnitVersio
     performance, script = performed.performance, performed.written_script()
     profile = models.behavior.profile(options.profile)
     if profile is None:
-        raise InputError("value_wrong", "profile: units are a speaker's; name a profile", field="profile")
+        raise InputError("value_wrong", "profile: gesture units need a profile; name one", field="profile")
     members = list(_members(script))
     while True:
         motions = {

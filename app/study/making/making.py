@@ -86,7 +86,9 @@ def make_study(request: StudyRequest, models: Understudy, report: LineReport) ->
         message = f"{request.source.lines}: the conditions differ visibly in no line; {advice}"
         raise InputError("study_lines", message, field="lines")
     if request.comparison is Comparison.SPEAKERS and len(rendered) < FEWEST_OF_SPEAKERS:
-        message = f"{request.source.lines}: one line with a difference; give another, for the first shows who is who"
+        message = (
+            f"{request.source.lines}: only one line has a difference; give another, since the first shows who is who"
+        )
         raise InputError("study_lines", message, field="lines")
     coding = _Coding(request, [each.id for each in rendered])
     rounds, again = _rounds(request, rendered, coding)

@@ -192,7 +192,9 @@ class _TableReading:
         """Reads every row; raises AnswersError if the columns do not identify the clips."""
         clips, named = _CLIPS.get(self._comparison, _TWO_CLIPS), _NAMED.get(self._comparison, _TWO_NAMES)
         if self._key is None and any(name in table.columns for name in clips):
-            message = f"clips by name, and no {KEY_NAME} near to tell what they show; give --key the one of study make"
+            message = (
+                f"no {KEY_NAME} was found that says what the named clips show; give the one of study make as --key"
+            )
             raise AnswersError([CellMistake(table.path, 1, message)])
         table.require(clips if self._key is not None and clips[0] in table.columns else named)
         paired = dict.fromkeys(PAIRED, self._preference)
@@ -256,9 +258,9 @@ class _TableReading:
         return None
 
     def _choice(self, row: TableRow) -> RaterChoice | None:
-        told = row.cells.get("choice", "")
-        if told in set(RaterChoice):
-            return RaterChoice(told)
+        choice = row.cells.get("choice", "")
+        if choice in set(RaterChoice):
+            return RaterChoice(choice)
         self._mistakes.append(row.refused("choice", "give best, worst or nothing"))
         return None
 

@@ -69,7 +69,7 @@ def _variance(title: str, variance: Variance) -> Iterator[str]:
     anova = variance.anova
     yield ""
     if anova is None:
-        yield f"One-way ANOVA, {title}: none, for raters do not vary within any mode"
+        yield f"One-way ANOVA, {title}: not computed, because no rater varies within any mode"
         return
     yield f"One-way ANOVA, {title}: F({anova.between}, {anova.within}) = {anova.f:.2f}, {_p(anova.p)}"
     rows = [
@@ -94,8 +94,8 @@ def _choices(found: ChoiceStatistics) -> Iterator[str]:
     yield from _agreements(found.agreements)
     if found.understood:
         yield ""
-        told = ", ".join(f"{level}: {_percent(share)}" for level, share in found.understood.items())
-        yield f"How much of the speech was understood, from 1 (nothing) to 3 (all): {told}"
+        listed = ", ".join(f"{level}: {_percent(share)}" for level, share in found.understood.items())
+        yield f"How much of the speech was understood, from 1 (nothing) to 3 (all): {listed}"
     if found.understanding:
         yield ""
         yield "Shares of U by how much was understood and by dimension, two-factor ANOVA:"
@@ -141,8 +141,8 @@ def _recognition(found: RecognitionStatistics) -> Iterator[str]:
     yield from _table(("test", "answers", "right", "by chance", "t test", "p", "significant", "binomial"), rows)
     for number, test in found.tests.items():
         yield ""
-        told = ", ".join(f"{name} {count}" for name, count in sorted(test.taken.items()))
-        yield f"Test {titles[number]}; who was taken for whom: {told}"
+        listed = ", ".join(f"{name} {count}" for name, count in sorted(test.taken.items()))
+        yield f"Test {titles[number]}; who was taken for whom: {listed}"
     yield from _samples({f"test {number}": (test.normality, test.groups) for number, test in found.tests.items()})
 
 

@@ -126,6 +126,6 @@ class AnswersError(InputError):
 
     def __init__(self, mistakes: Iterable[CellMistake]) -> None:
         self.mistakes = tuple(mistakes)
-        told = list(map(str, self.mistakes[:MOST_TOLD]))
-        more = len(self.mistakes) - len(told)
-        super().__init__("answers_wrong", "\n".join([*told, *([f"and {more} more"] if more else [])]), field="answers")
+        first = list(map(str, self.mistakes[:MOST_TOLD]))
+        more = len(self.mistakes) - len(first)
+        super().__init__("answers_wrong", "\n".join([*first, *([f"and {more} more"] if more else [])]), field="answers")

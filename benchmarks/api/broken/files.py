@@ -20,8 +20,9 @@ from zipfile import ZIP_DEFLATED, ZipFile
 
 from openpyxl import Workbook
 
+from understudy.batch.manifest.entries import COLUMNS
 from understudy.batch.manifest.hashes import KnownRecording
-from understudy.batch.manifest.store import COLUMNS, FILE, Manifest
+from understudy.batch.manifest.store import FILE, Manifest
 from understudy.batch.scripts.reading import read_script
 from understudy.errors import UnderstudyError
 from understudy.files import resource_folder

@@ -35,8 +35,8 @@ def perform_line(
     for name, options in realizations.items():
         sheet = Sheet(written[name], line.audio, options)
         trace = {} if name else performed.trace
-        told = () if name else performed.warnings
-        one = play_sheet(connection, sheet, progress, cancelled, trace=trace, warnings=told)
+        warnings = () if name else performed.warnings
+        one = play_sheet(connection, sheet, progress, cancelled, trace=trace, warnings=warnings)
         played[name] = _without_notices(one) if name else one
     return played
 

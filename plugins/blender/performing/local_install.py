@@ -68,8 +68,8 @@ class LocalInstall:
             message = f"{self.command} cannot be run ({error.strerror}): name Understudy's command in the preferences"
             raise PerformingError(message) from None
         with process:
-            told: list[Json] = []
-            reader = threading.Thread(target=_read, args=(process.stderr or (), told, progress), daemon=True)
+            events: list[Json] = []
+            reader = threading.Thread(target=_read, args=(process.stderr or (), events, progress), daemon=True)
             reader.start()
             while _runs(process):
                 if cancelled():
@@ -77,8 +77,8 @@ class LocalInstall:
                     raise CancelledError
             reader.join()
         if process.returncode:
-            raise PerformingError(_why(told) or f"{self.command} ended with code {process.returncode}")
-        warnings = (each for each in told if each["event"] == "warning")
+            raise PerformingError(_why(events) or f"{self.command} ended with code {process.returncode}")
+        warnings = (each for each in events if each["event"] == "warning")
         return tuple(Remark(each.get("code", ""), each["message"].removeprefix("warning: ")) for each in warnings)
 
 
@@ -90,19 +90,19 @@ def _runs(process: "subprocess.Popen[str]") -> bool:
     return False
 
 
-def _read(lines: Iterable[str], told: list[Json], progress: Progress) -> None:
+def _read(lines: Iterable[str], events: list[Json], progress: Progress) -> None:
     for line in lines:
         try:
             event = json.loads(line)
         except ValueError:
             event = {"event": "error", "message": line.strip()}
-        told.append(event)
+        events.append(event)
         if event["event"] == "stage":
             progress(event["stage"])
 
 
-def _why(told: Sequence[Json]) -> str:
-    return next((each["message"] for each in reversed(told) if each["event"] == "error"), "")
+def _why(events: Sequence[Json]) -> str:
+    return next((each["message"] for each in reversed(events) if each["event"] == "error"), "")
 
 
 def _options(options: Json) -> list[str]:

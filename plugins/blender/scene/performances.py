@@ -40,7 +40,7 @@ def lay_performance(
     """Adds a performance in place of the one of the same name, which is lost unless this is a new take of it; returns
     the warnings to show. Raises NoHumanoidError."""
     found = bones_of(armature)
-    told = [f"{each} was set" for each in apply_properties(armature, found.table)]
+    messages = [f"{each} was set" for each in apply_properties(armature, found.table)]
     if new_take:
         begin_take(armature, record_of(armature, order.name))
     else:
@@ -52,8 +52,8 @@ def lay_performance(
     lay_behaviors(armature, played.behaviors, order.name, order.zero_frame, rate_hz)
     _remember(armature, played, order)
     if armature.animation_data.action is not None:
-        told.append(f"{armature.name} has an active action, which plays over the strips: unlink or push it down")
-    return (*told, *(each.message for each in played.warnings), *clip.notices)
+        messages.append(f"{armature.name} has an active action, which plays over the strips: unlink or push it down")
+    return (*messages, *(each.message for each in played.warnings), *clip.notices)
 
 
 def record_of(armature: Any, name: str) -> Any:

@@ -15,15 +15,15 @@ def lay_script(scene: Any, lines: Sequence[ScriptLine], files: Mapping[str, Path
     if not files:
         ids = ", ".join(line.id for line in lines[:3])
         raise ScriptError(f"no recording is called as a line of the script ({ids} …): choose their folder")
-    rate_hz, begin, told = frame_rate_hz(scene), scene.frame_current, list[str]()
+    rate_hz, begin, messages = frame_rate_hz(scene), scene.frame_current, list[str]()
     frame = float(begin)
     for line in lines:
         if line.id not in files:
-            told.append(f"{line.id} has no recording and is left out")
+            messages.append(f"{line.id} has no recording and is left out")
             continue
         at = frame if line.start_s is None else begin + line.start_s * rate_hz
         part_s = None if line.start_s is None or line.end_s is None else (line.start_s, line.end_s)
         strip = place_strip(scene, files[line.id], round(at), line.id, part_s)
         strip["text"], strip["character"] = line.text, line.character
         frame = strip.frame_final_end + pause_s * rate_hz
-    return tuple(told)
+    return tuple(messages)

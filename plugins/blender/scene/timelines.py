@@ -54,5 +54,5 @@ def _clip(strip: BehaviorStrip, performance: str) -> TimelineClip:
     }
     start = floor(laid.frame_start)
     markers = tuple((marker.name, start + marker.frame) for marker in laid.action.pose_markers)
-    told = {name: value for name, value in about.items() if value}
-    return TimelineClip(behavior.label, start, ceil(laid.frame_end), about=told, markers=markers)
+    metadata = {name: value for name, value in about.items() if value}
+    return TimelineClip(behavior.label, start, ceil(laid.frame_end), about=metadata, markers=markers)

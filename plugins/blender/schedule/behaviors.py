@@ -121,24 +121,24 @@ def _behaviors(bml: bytes, realized: Mapping[str, Mapping[str, float]], reasons:
         points = realized.get(each.id)
         if not points:
             continue
-        told = known.get(each.id, {})
-        first, last = told.get("first"), told.get("last")
+        trace = known.get(each.id, {})
+        first, last = trace.get("first"), trace.get("last")
         yield Behavior(
             each.id,
-            told.get("kind", each.kind),
-            told.get("lexeme", each.lexeme),
+            trace.get("kind", each.kind),
+            trace.get("lexeme", each.lexeme),
             points,
             first,
             last,
             reasons.words(first, last),
-            reasons.function(told.get("function")),
-            told.get("rule") or "",
-            told.get("reason") or "",
-            reasons.families(told.get("moment")),
-            hand=told.get("hand") or each.hand,
-            target=told.get("target") or each.target,
-            direction=told.get("direction") or each.direction,
-            edit=told.get("edit"),
+            reasons.function(trace.get("function")),
+            trace.get("rule") or "",
+            trace.get("reason") or "",
+            reasons.families(trace.get("moment")),
+            hand=trace.get("hand") or each.hand,
+            target=trace.get("target") or each.target,
+            direction=trace.get("direction") or each.direction,
+            edit=trace.get("edit"),
         )
 
 

@@ -87,8 +87,8 @@ class _Clock:
         return {"OTIO_SCHEMA": "Clip.2", **item, **referring}
 
     def _marker(self, name: str, frame: int) -> Json:
-        told = {"OTIO_SCHEMA": "Marker.2", "name": name, "color": "RED" if name == "stroke" else "YELLOW"}
-        return {**told, "marked_range": self.range(frame, 0), "comment": "", "metadata": {}}
+        fields = {"OTIO_SCHEMA": "Marker.2", "name": name, "color": "RED" if name == "stroke" else "YELLOW"}
+        return {**fields, "marked_range": self.range(frame, 0), "comment": "", "metadata": {}}
 
 
 def _rows(track: TimelineTrack) -> Iterator[tuple[str, list[TimelineClip]]]:

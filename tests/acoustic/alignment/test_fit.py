@@ -102,7 +102,7 @@ def test_sound_outside_the_words_is_suspect() -> None:
 
 def test_a_word_stretched_beyond_speech_is_suspect() -> None:
     (notice,) = check_fit(_audio(), (_word(0.1, 0.9),), _scored(-12))
-    assert "too long for what they say: word 0 (ah)" in notice.message
+    assert "too long for the sounds in them: word 0 (ah)" in notice.message
 
 
 def test_silence_has_no_sound_outside() -> None:

@@ -1,2 +1,2 @@
 """Text normalization and pronunciation: `app/acoustic/pronunciation`, by tables of cases. Begin with
-`test_pronunciation.py`."""
+`test_pronouncer.py`."""

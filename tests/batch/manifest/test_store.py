@@ -7,8 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from understudy.batch.manifest.entries import ManifestEntry, State, WrittenFile
 from understudy.batch.manifest.hashes import KnownRecording
-from understudy.batch.manifest.store import FILE, VERSION, Manifest, ManifestEntry, State, WrittenFile
+from understudy.batch.manifest.store import FILE, VERSION, Manifest
 from understudy.batch.work.jobs import Failure, Measures
 from understudy.errors import InputError
 from understudy.model import Notice

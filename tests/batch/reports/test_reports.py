@@ -11,7 +11,7 @@ import pytest
 from lxml import html
 
 from understudy import batch
-from understudy.batch.manifest.store import ManifestEntry, State, WrittenFile
+from understudy.batch.manifest.entries import ManifestEntry, State, WrittenFile
 from understudy.batch.reports.attention import PLAIN, attention, plain_words, reasons
 from understudy.batch.reports.html_report import Heading, Thumbnail, to_html
 from understudy.batch.reports.writing import in_order_of_attention, to_csv, to_index

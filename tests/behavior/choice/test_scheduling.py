@@ -22,11 +22,11 @@ RIGHT = GestureForm(0.3, 0.2, 0.6, {Hand.RIGHT: ArmEnds((0.0, 0.0, 0.0), (0.3, 0
 
 def gesture(name: str, at_s: float, until_s: float, hand: Hand = Hand.RIGHT) -> PlacedBehavior:
     """A stroke of .5 s that ends at `at_s`, held until `until_s`; its preparation takes .2 s."""
-    placing = TimingBasis(TIMING, at_s, until_s, stroked=True)
-    sync = placed(placing, Window())
+    basis = TimingBasis(TIMING, at_s, until_s, stroked=True)
+    sync = placed(basis, Window())
     assert sync is not None
     behavior = Behavior(name, Channel.GESTURE, "X", sync, 0, 0, 1.0, hand=hand)
-    return PlacedBehavior(behavior, placing, dict.fromkeys((hand, Hand.RIGHT), (RIGHT,)))
+    return PlacedBehavior(behavior, basis, dict.fromkeys((hand, Hand.RIGHT), (RIGHT,)))
 
 
 def test_a_hold_gives_way_to_a_transition_as_fast_as_the_next_stroke() -> None:

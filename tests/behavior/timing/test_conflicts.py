@@ -32,11 +32,11 @@ def candidate(
     hand: Hand | None = Hand.RIGHT,
     hold_s: float = 0.2,
 ) -> PlacedBehavior:
-    placing = TimingBasis(GESTURE if kind is Channel.GESTURE else NOD, at_s, at_s + hold_s, stroked=True)
-    sync = placed(placing, Window())
+    basis = TimingBasis(GESTURE if kind is Channel.GESTURE else NOD, at_s, at_s + hold_s, stroked=True)
+    sync = placed(basis, Window())
     assert sync is not None
     hand = hand if kind is Channel.GESTURE else None
-    return PlacedBehavior(Behavior(name, kind, "X", sync, 0, 0, priority, hand=hand), placing)
+    return PlacedBehavior(Behavior(name, kind, "X", sync, 0, 0, priority, hand=hand), basis)
 
 
 def resolved(*candidates: PlacedBehavior) -> dict[str, Behavior]:
@@ -206,11 +206,11 @@ def asked_for(name: str, at_s: float, priority: float = 1.0) -> PlacedBehavior:
     """A gesture that may be brief."""
     timing = replace(GESTURE, stroke=PhaseDuration(0.5, 0.5))
     brief = BriefGesture(replace(timing, stroke=PhaseDuration(0.25, 0.25)), {Hand.RIGHT: (FORM.brief(),)})
-    placing = TimingBasis(timing, at_s, at_s, stroked=True)
-    sync = placed(placing, Window())
+    basis = TimingBasis(timing, at_s, at_s, stroked=True)
+    sync = placed(basis, Window())
     assert sync is not None
     behavior = Behavior(name, Channel.GESTURE, "X", sync, 0, 0, priority, hand=Hand.RIGHT)
-    return PlacedBehavior(behavior, placing, {Hand.RIGHT: (FORM,)}, brief)
+    return PlacedBehavior(behavior, basis, {Hand.RIGHT: (FORM,)}, brief)
 
 
 @pytest.mark.parametrize(

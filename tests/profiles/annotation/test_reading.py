@@ -159,7 +159,7 @@ def test_every_mistake_at_once_with_its_place() -> None:
         ({"words": (TrackSpan(0.5, 0.9, "I"), TrackSpan(0.8, 1.0, "am"))}, "words at 0.800 s: overlaps 'I'"),
         (
             {"units": (TrackSpan(0.2, 2.1, "at side"), TrackSpan(2.2, 3.0, "claspd"))},
-            "units at 2.200 s: hands do not rest 'claspd'",
+            "units at 2.200 s: the hands have no rest pose 'claspd'",
         ),
         (
             {"tags": (TrackSpan(0.5, 0.9, "negatoin"),)},
@@ -176,7 +176,7 @@ def test_what_is_missing_everywhere_is_one_mistake() -> None:
     tracks = small_tracks()
     handless = tuple(replace(span, attributes={}) for span in tracks["phrases"].spans)
     [told] = _mistakes(tracks, phrases=handless)
-    assert told.startswith("x.eaf: phrases: no phrase says its hand")
+    assert told.startswith("x.eaf: phrases: no phrase has a hand")
     tracks.pop("units")
     assert _mistakes(tracks, words=(TrackSpan(0.5, 0.4, "I"),)) == [
         "x.eaf: units: the track is missing",

@@ -69,7 +69,7 @@ def test_derived_levels_stay_in_range(level: Level, edge: int) -> None:
         ("TRACK held chest 0 50 0", 4, 20, "50 is outside -45 … 45°"),
         ("TRACK held chest 0 0 0", 4, 18, "this track turns nothing"),
         ("TRACK held chest 0 5 0 2", 4, 24, "a track that is held has three angles"),
-        ("TRACK circling LowerArm 0 5 0", 4, 7, "a track that is circling says its turns"),
+        ("TRACK circling LowerArm 0 5 0", 4, 7, "a circling track gives its turns"),
         ("TRACK circling LowerArm 0 5 0 9", 4, 31, "9 is outside 0.25 … 6"),
         ("TRACK held chest 0 5", 4, 21, "the line ends too soon; TRACK is written as in: TRACK held chest 0 12 0"),
         ("TRACK held chest 0 5 0\nTRACK held chest 0 6 0", 5, 1, "duplicate TRACK held chest"),

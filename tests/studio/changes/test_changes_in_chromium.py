@@ -156,7 +156,10 @@ def test_conflicts_are_shown_and_left_out(looked_at: Page, tmp_path: Path) -> No
 
 
 def test_a_wrong_file_of_edits_shows_its_mistakes(looked_at: Page, tmp_path: Path) -> None:
-    for content, said in (("{", "is no file of edits"), ('{"behaviors": [{}]}', "give either of, or both add and on")):
+    for content, said in (
+        ("{", "is no file of edits"),
+        ('{"behaviors": [{}]}', "give either `of`, or both `add` and `on`"),
+    ):
         path = tmp_path / "wrong.json"
         path.write_text(content)
         looked_at.set_input_files("#edits-file", path)

@@ -68,7 +68,7 @@ export interface PerformRequest {
 /** BML, and what it is played with. */
 export interface RealizeRequest {
   readonly bml: string;
-  /** The recording of its speech, for lips and words. */
+  /** The recording of the speech, for lips and words. */
   readonly audio?: Bytes;
   readonly options?: RealizeOptions;
   /** The motion model that moves the body to the recording: `default`, or one of the service's own lexicon (docs/motion-models.md). */

@@ -59,12 +59,12 @@ class ImportBml(JobOperator, ImportHelper):
     def finish(self, context: Any, result: PlayedLine) -> tuple[str, ...]:
         scene, order = context.scene, self._order
         rate_hz = frame_rate_hz(scene)
-        told = lay_performance(self._performer, result, order, rate_hz)
+        messages = lay_performance(self._performer, result, order, rate_hz)
         if order.audio is not None:
-            told += place_sound(scene, order.audio, round(order.zero_frame), order.name)
+            messages += place_sound(scene, order.audio, round(order.zero_frame), order.name)
         if scene.understudy.set_range:
             take_in(scene, result.clip, order.zero_frame, rate_hz)
-        return told
+        return messages
 
 
 class ExportBml(bpy.types.Operator, ExportHelper):

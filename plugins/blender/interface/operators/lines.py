@@ -47,13 +47,13 @@ class PerformAll(JobOperator):
         ]
 
     def finish(self, context: Any, result: list[dict[str, PlayedLine] | PerformingError]) -> tuple[str, ...]:
-        told = list(self._told)
+        messages = list(self._told)
         for request, played in zip(self._requests, result, strict=True):
             if isinstance(played, PerformingError):
-                told.append(f"{request.order.name} was not performed: {played}")
+                messages.append(f"{request.order.name} was not performed: {played}")
             else:
-                told += lay_line(context, replace(request, new_sound=False), played)
-        return tuple(told)
+                messages += lay_line(context, replace(request, new_sound=False), played)
+        return tuple(messages)
 
 
 class Forget(bpy.types.Operator):
@@ -97,15 +97,15 @@ def lay_line(context: Any, request: Request, played: dict[str, PlayedLine]) -> t
     """Adds a line to the scene: its sound, the speaker's performance and the listener's."""
     scene, order = context.scene, request.order
     rate_hz = frame_rate_hz(scene)
-    told = lay_performance(request.performer, played[""], order, rate_hz)
+    messages = lay_performance(request.performer, played[""], order, rate_hz)
     for name in (name for name in played if name):
         heard = Order(order.name, order.zero_frame, order.audio, "", None, request.realizations[name])
-        told += lay_performance(request.listener, _seen_by(played[name], request.performer), heard, rate_hz)
+        messages += lay_performance(request.listener, _seen_by(played[name], request.performer), heard, rate_hz)
     if request.new_sound and order.audio is not None:
-        told += place_sound(scene, order.audio, round(order.zero_frame), order.name)
+        messages += place_sound(scene, order.audio, round(order.zero_frame), order.name)
     if scene.understudy.set_range:
         take_in(scene, played[""].clip, order.zero_frame, rate_hz)
-    return told
+    return messages
 
 
 def _seen_by(played: PlayedLine, speaker: Any) -> PlayedLine:

@@ -31,11 +31,11 @@ class ImportScript(bpy.types.Operator, ImportHelper):
         folder = Path(bpy.path.abspath(self.recordings)) if self.recordings else script.parent
         try:
             lines = read_script(script)
-            told = lay_script(context.scene, lines, recordings(lines, script, folder), self.pause_s)
+            messages = lay_script(context.scene, lines, recordings(lines, script, folder), self.pause_s)
         except (ValueError, OSError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        for each in told:
+        for each in messages:
             self.report({"WARNING"}, each)
         return {"FINISHED"}
 

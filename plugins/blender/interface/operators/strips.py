@@ -45,11 +45,11 @@ class PlayStrips(JobOperator):
 
     def finish(self, context: Any, result: PlayedLine) -> tuple[str, ...]:
         rate_hz = frame_rate_hz(context.scene)
-        told = lay_performance(self._performer, result, self._order, rate_hz)
+        messages = lay_performance(self._performer, result, self._order, rate_hz)
         keep_notes(_record(self._performer, self._order.name), self._notes)
         played = {each.id: each for each in result.behaviors}
         wanted = ((Note(0, {}, "", time_s), played[name]) for name, time_s in self._wanted_s.items() if name in played)
-        return (*told, *filter(None, (landed(note, behavior, 1.5 / rate_hz) for note, behavior in wanted)))
+        return (*messages, *filter(None, (landed(note, behavior, 1.5 / rate_hz) for note, behavior in wanted)))
 
 
 class PerformAgain(JobOperator):
@@ -74,9 +74,9 @@ class PerformAgain(JobOperator):
         rate_hz = frame_rate_hz(context.scene)
         keep_notes(_record(self._performer, self._order.name), self._notes)
         played = replace(result[""], warnings=_of_notes(result[""].warnings, self._notes))
-        told = lay_performance(self._performer, played, self._order, rate_hz, new_take=True)
+        messages = lay_performance(self._performer, played, self._order, rate_hz, new_take=True)
         made = ((note, made_by(note, played.behaviors, self._order.notes)) for note in self._notes)
-        return (*told, *filter(None, (landed(note, behavior, 1.5 / rate_hz) for note, behavior in made)))
+        return (*messages, *filter(None, (landed(note, behavior, 1.5 / rate_hz) for note, behavior in made)))
 
 
 class LockStrips(bpy.types.Operator):

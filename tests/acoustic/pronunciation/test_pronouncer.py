@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from pocketsphinx import get_model_path
 
-from understudy.acoustic.pronunciation.pronunciation import GraphoneModel, Pronouncer, read_dictionary, with_s
+from understudy.acoustic.pronunciation.graphones import GraphoneModel
+from understudy.acoustic.pronunciation.pronouncer import Pronouncer, read_dictionary, with_s
 from understudy.errors import ServiceError
 
 MODEL = Path(__file__).resolve().parents[3] / "models" / "pronunciation" / "graphones.npz"
