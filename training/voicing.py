@@ -25,7 +25,7 @@ from benchmarks.acoustic.pitch import (
     white,
     with_noise,
 )
-from understudy.acoustic.pitch.pitch import pitch_if_voiced
+from understudy.acoustic.pitch.tracking import pitch_if_voiced
 from understudy.acoustic.pitch.voicing import Voicing, voiced_frames
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray
 

@@ -11,11 +11,11 @@ from ..settings import Settings
 from .affect.affect_model import AffectModel
 from .affect.line_affect import AffectJudge, FeatureJudge
 from .affect.waveform_model import WaveformModel
-from .agitation.agitation import AgitationModel
-from .alignment.alignment import Aligner
-from .focus.focus import FocusModel
+from .agitation.classifier import AgitationModel
+from .alignment.aligner import Aligner
+from .focus.focus_model import FocusModel
 from .focus.listeners import Listeners
-from .pacing.pacing import Pace
+from .pacing.word_times import Pace
 
 
 @dataclass(frozen=True, slots=True)

@@ -36,10 +36,10 @@ from .affect.line_affect import Stretch, given_line, line_affect
 from .affect.manner import word_manners
 from .agitation.utterance_features import full_features
 from .agitation.voice_quality import voice_quality
-from .alignment.alignment import Alignment
+from .alignment.aligner import Alignment
 from .alignment.timings import read_fillers, read_timings
 from .models import AcousticModels
-from .pitch.pitch import track_f0
+from .pitch.tracking import track_f0
 from .signal.decoding import AudioLimits, decode
 from .signal.spectrum import doubts, energy_db, mel_db, mfcc
 from .stress import Measure, prominence, stress, with_emphasis, with_listeners

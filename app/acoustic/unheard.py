@@ -35,7 +35,7 @@ from .affect.line_affect import given_line, phrases_of
 from .affect.manner import unheard_manners
 from .alignment.timings import read_fillers, read_timings
 from .models import AcousticModels
-from .pacing.pacing import paced, timed_elsewhere
+from .pacing.word_times import paced, timed_elsewhere
 from .stress import PAUSE_S, Measure, prominence, with_emphasis
 
 

@@ -24,7 +24,7 @@ from ..models import (
 from ..rules.derivation import FunctionRules
 from ..rules.lexicon import SLOT, LexicalEntry
 from ..rules.mapping import MappingRules
-from ..rules.program.program import FactMention, Rule
+from ..rules.program.loading import FactMention, Rule
 from ..yaml_files import Source, entry_source
 
 __all__ = ["Catalogue", "Character", "Item", "ItemKind", "load_characters", "load_families", "load_gestures"]

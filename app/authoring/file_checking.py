@@ -20,7 +20,7 @@ from ..realizer.exporting.retargeting import load_rigs
 from ..realizer.gestures.library import SUFFIX, Library
 from ..rules.derivation import FunctionRules
 from ..rules.mapping import MappingRules
-from ..rules.program.program import PRINTED, load_program
+from ..rules.program.loading import PRINTED, load_program
 from .catalogue import EDITED
 from .proofreading import (
     NAMED_FILES,

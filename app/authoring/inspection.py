@@ -24,7 +24,7 @@ from ..rules.chaining.tracing import NearMiss, RuleFiring, RuleTrace, ShownState
 from ..rules.derivation import FunctionRules, derive_facts, understand
 from ..rules.lexicon import LexicalEntry
 from ..rules.mapping import MappingRules
-from ..rules.program.program import Program, Rule
+from ..rules.program.loading import Program, Rule
 from ..rules.stage import find_functions
 from ..text.transcript import read_transcript
 

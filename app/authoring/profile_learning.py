@@ -6,7 +6,7 @@ from dataclasses import replace
 from ..loading import OnDemand
 from ..models import LanguageModels
 from ..profiles.annotation.model import Annotation, TaggedWords
-from ..profiles.learning.learning import learn
+from ..profiles.learning.learner import learn
 from ..profiles.profile import Profile, tags_of
 from ..rules.stage import find_functions_in_all
 

@@ -7,10 +7,10 @@ from types import MappingProxyType
 
 from pydantic import RootModel
 
-from ..acoustic.pacing.pacing import FILE as PACING
-from ..acoustic.pacing.pacing import PauseTable
 from ..acoustic.pacing.phone_durations import FILE as PHONE_DURATIONS
 from ..acoustic.pacing.phone_durations import PhoneDurations
+from ..acoustic.pacing.word_times import FILE as PACING
+from ..acoustic.pacing.word_times import PauseTable
 from ..acoustic.pronunciation.normalisation import Normaliser
 from ..authored_folders import lexicon_folder, tables_of
 from ..behavior.candidates.attitudes import load_attitudes

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
-from ..acoustic.focus.focus import DECIMALS as FOCUS_DECIMALS
+from ..acoustic.focus.focus_model import DECIMALS as FOCUS_DECIMALS
 from ..acoustic.stage import measure_stress
 from ..errors import InputError, shown
 from ..model import Affect, Behavior, Interval, LineAffect, Phone, Utterance, Viseme, Word

@@ -25,7 +25,7 @@ from .chaining.chainer import Derivation, derive
 from .chaining.facts import LONGEST_SENTENCE, utterance_facts
 from .lexicon import Lexicon
 from .priorities import Conflicts, Priorities, resolved
-from .program.program import PRINTED, Program, load_program
+from .program.loading import PRINTED, Program, load_program
 
 LONGEST_PASSAGE = LONGEST_SENTENCE
 """Words, about a minute of speech; no sentence is longer."""

@@ -31,7 +31,7 @@ from .chaining.chainer import Call, Choice, derive
 from .chaining.facts import utterance_facts
 from .derivation import by_passage, passage_starts
 from .language.tree import ChooseClause
-from .program.program import PRINTED, Program, Rule, load_program
+from .program.loading import PRINTED, Program, Rule, load_program
 
 
 @dataclass(frozen=True, slots=True)

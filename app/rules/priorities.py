@@ -19,7 +19,7 @@ from ..errors import LONGEST_SHOWN, Mistake, did_you_mean
 from ..model import Fact, Function
 from ..yaml_files import Entry, Source
 from .lexicon import LexicalEntry
-from .program.program import Rule
+from .program.loading import Rule
 
 Priority = Annotated[float, Field(gt=0, le=100)]
 

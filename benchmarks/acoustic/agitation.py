@@ -37,7 +37,7 @@ from training.agitation.conditions import TEST_CONDITIONS, TRAINING_CONDITIONS
 from training.agitation.corpus import CORPORA, FREE_CORPORA, Samples, describe, read_audio, read_recordings
 from training.agitation.fuzzy_svm import Recipe, train
 from training.agitation.measuring import measured
-from understudy.acoustic.agitation.agitation import AgitationModel
+from understudy.acoustic.agitation.classifier import AgitationModel
 from understudy.acoustic.agitation.utterance_features import FEATURE_SETS, paper_features
 from understudy.acoustic.signal.spectrum import mel_db, mfcc
 from understudy.acoustic.stage import contours_of

@@ -20,7 +20,7 @@ import soundfile
 import soxr
 
 from training.alignment.timit import Sentence, read_sentences
-from understudy.acoustic.alignment.alignment import Aligner
+from understudy.acoustic.alignment.aligner import Aligner
 from understudy.errors import InputError
 from understudy.model import SAMPLE_RATE_HZ, Audio, Word
 from understudy.text.transcript import read_transcript

@@ -25,7 +25,7 @@ from scipy.signal import butter, fftconvolve, sosfilt
 
 from benchmarks.acoustic.alignment import FLAGS, ROOT, TIMIT, TOLERANCES_S
 from training.alignment.timit import Sentence, read_sentences
-from understudy.acoustic.alignment.alignment import Aligner
+from understudy.acoustic.alignment.aligner import Aligner
 from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.errors import InputError
 from understudy.model import SAMPLE_RATE_HZ, FloatArray, Interval, Word

@@ -22,7 +22,7 @@ from librosa import effects
 
 from benchmarks.acoustic.alignment import RAVDESS, RAVDESS_STEP, ROOT, TIMIT, read_acted
 from training.alignment.timit import Sentence, read_sentences
-from understudy.acoustic.alignment.alignment import Aligner, Alignment
+from understudy.acoustic.alignment.aligner import Aligner, Alignment
 from understudy.errors import InputError
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray
 from understudy.text.transcript import read_transcript

@@ -26,8 +26,8 @@ import numpy as np
 from benchmarks.acoustic.prominence import content_over_function, placed_words
 from training.alignment.timit import Sentence, read_sentences
 from training.prominence import SPEECH
-from understudy.acoustic.alignment.alignment import Aligner
-from understudy.acoustic.focus.focus import FocusModel
+from understudy.acoustic.alignment.aligner import Aligner
+from understudy.acoustic.focus.focus_model import FocusModel
 from understudy.acoustic.focus.listeners import Listeners
 from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.acoustic.stage import contours_of

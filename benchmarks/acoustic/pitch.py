@@ -14,7 +14,7 @@ Noise is added at a ratio of the powers over the whole file. Babble is all other
 "8 talkers" is harder, since single voices stand out of it; all are the two speakers themselves. "8 kHz" is the file
 resampled to that rate and back.
 
-`understudy.acoustic.pitch.pitch.TUNED` was chosen on the files of odd number, so the even ones are the test;
+`understudy.acoustic.pitch.tracking.TUNED` was chosen on the files of odd number, so the even ones are the test;
 `PUBLISHED` switches its departures off. The speed is processor time over the audio's.
 """
 
@@ -27,7 +27,7 @@ from pathlib import Path
 import numpy as np
 import soxr
 
-from understudy.acoustic.pitch import pitch
+from understudy.acoustic.pitch import tracking as pitch
 from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, FloatArray
 

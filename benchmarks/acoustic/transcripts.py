@@ -12,7 +12,7 @@ from pathlib import Path
 
 from benchmarks.acoustic.alignment import ROOT, outcome, print_outcomes
 from training.alignment.transcripts import RAVDESS_STEP, read_recordings, texts_for
-from understudy.acoustic.alignment.alignment import Aligner
+from understudy.acoustic.alignment.aligner import Aligner
 
 
 def main() -> None:

@@ -16,8 +16,8 @@ import tempfile
 from concurrent.futures import Future
 from pathlib import Path
 
-from understudy.batch.batch import Nobody, run_batch
 from understudy.batch.planning import BatchRequest
+from understudy.batch.whole_run import Nobody, run_batch
 from understudy.batch.work.files import write_files
 from understudy.batch.work.formats import LineFormat
 from understudy.batch.work.jobs import LineJob, LineOutcome, Measures, OutputFile, ReferenceJob

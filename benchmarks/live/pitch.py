@@ -14,8 +14,8 @@ from pathlib import Path
 
 import numpy as np
 
-from understudy.acoustic.pitch.pitch import track_f0
 from understudy.acoustic.pitch.streaming import StreamingPitch
+from understudy.acoustic.pitch.tracking import track_f0
 from understudy.acoustic.signal.decoding import decode
 from understudy.acoustic.stage import audio_limits
 from understudy.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, FloatArray

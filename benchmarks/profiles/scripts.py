@@ -14,7 +14,7 @@ from understudy.profiles.annotation.reading import read_annotations
 from understudy.profiles.generation.candidates import Repertoire
 from understudy.profiles.generation.generating import Speaker, generate
 from understudy.profiles.generation.script import GestureScript
-from understudy.profiles.learning.learning import learn
+from understudy.profiles.learning.learner import learn
 from understudy.profiles.profile import Profile
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples" / "speakers"

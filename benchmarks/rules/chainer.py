@@ -15,7 +15,7 @@ from typing import TypeVar
 
 from understudy.model import Fact
 from understudy.rules.chaining.chainer import derive
-from understudy.rules.program.program import Program, load_program
+from understudy.rules.program.loading import Program, load_program
 
 Result = TypeVar("Result")
 

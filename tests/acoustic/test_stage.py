@@ -6,7 +6,7 @@ from pathlib import Path
 import psutil
 import pytest
 
-from understudy.acoustic.alignment.alignment import WINDOW_DELAY_S
+from understudy.acoustic.alignment.aligner import WINDOW_DELAY_S
 from understudy.acoustic.alignment.decoder_process import FRAMES_PER_S
 from understudy.acoustic.models import AcousticModels
 from understudy.acoustic.stage import hear

@@ -1,2 +1,2 @@
 """Batches, room by room as in `app/batch`. Imports `understudy.batch`; the models of the session perform the lines of
-`test_batch.py`, with which to begin."""
+`test_whole_run.py`, with which to begin."""

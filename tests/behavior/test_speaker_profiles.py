@@ -37,7 +37,7 @@ from understudy.options import Options
 from understudy.performance import perform, perform_analysis, perform_line
 from understudy.profiles.annotation.reading import read_annotations
 from understudy.profiles.generation.script import RESTS, STANCES
-from understudy.profiles.learning.learning import learn
+from understudy.profiles.learning.learner import learn
 from understudy.profiles.profile import HeadHabit, Profile, RestHabit
 from understudy.realization import BmlInput, PreparedSchedule, prepare_schedule, realize_prepared
 from understudy.realizer.scheduling.rests import POSTURES

@@ -12,8 +12,8 @@ from pathlib import Path
 import psutil
 import pytest
 
-from understudy.batch.batch import Nobody, run_batch
 from understudy.batch.planning import BatchRequest
+from understudy.batch.whole_run import Nobody, run_batch
 from understudy.cli.main import main
 from understudy.models import Understudy
 from understudy.settings import Settings

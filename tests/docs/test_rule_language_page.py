@@ -8,7 +8,7 @@ import pytest
 from understudy.model import Fact
 from understudy.rules.chaining.chainer import Argument, Limits, derive
 from understudy.rules.language.arithmetic import BUILTINS
-from understudy.rules.program.program import load_program
+from understudy.rules.program.loading import load_program
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "rule-language.md").read_text(encoding="utf-8")
 EXAMPLES = re.findall(r"```rules\n(.*?)```\n\n```facts\n(.*?)```", PAGE, flags=re.DOTALL)

@@ -4,7 +4,7 @@ import pytest
 
 from tests.support.annotations import SPARING, SWEEPING
 from understudy.profiles.annotation.reading import read_annotations
-from understudy.profiles.learning.learning import learn
+from understudy.profiles.learning.learner import learn
 from understudy.profiles.mixing import mix
 from understudy.profiles.profile import Profile
 

@@ -11,7 +11,7 @@ from understudy.model import Fact
 from understudy.rules.chaining.chainer import derive
 from understudy.rules.chaining.tracing import trace_rule
 from understudy.rules.derivation import FunctionRules
-from understudy.rules.program.program import load_program
+from understudy.rules.program.loading import load_program
 
 PAPER = """
 predicate fcn(class, subtype, start, end, priority max)

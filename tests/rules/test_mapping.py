@@ -7,7 +7,7 @@ from tests.support.words.by_hand import FIGURE_8, figure_8, function, spoken, ut
 from understudy.errors import AuthoringError
 from understudy.model import BehaviorCandidates, Function, Level, Movement, Parse, Utterance, Word
 from understudy.rules.mapping import MappingRules, map_functions, offer_movements
-from understudy.rules.program.program import load_program
+from understudy.rules.program.loading import load_program
 
 ROOT = Path(__file__).resolve().parents[2]
 RULES = ROOT / "app" / "rules"

@@ -17,7 +17,7 @@ from understudy.models import Understudy
 from understudy.options import Options
 from understudy.study.comparison import DIMENSIONS, Comparison
 from understudy.study.making.lines import StudyRequest, StudySource
-from understudy.study.making.making import make_study
+from understudy.study.making.whole_study import make_study
 from understudy.study.scoring.reading import read_answers, read_key
 
 SMALL: ViewportSize = {"width": 480, "height": 360}

@@ -16,7 +16,7 @@ from sklearn.linear_model import LogisticRegression
 from training.affect.corpus import SYNTHETIC, Taught
 from training.agitation.fuzzy_svm import Recipe, balanced_weights, relative_features, train_svm, typical_speaker
 from understudy.acoustic.affect.affect_model import FEATURE_SET, AffectModel, Expert, Gate, KernelMachines
-from understudy.acoustic.agitation.agitation import FuzzySvm, likeness_at, squared_distances
+from understudy.acoustic.agitation.classifier import FuzzySvm, likeness_at, squared_distances
 from understudy.model import FloatArray, Tone
 
 RIDGE = 3.0

@@ -19,7 +19,7 @@ from training.agitation.conditions import TRAINING_CONDITIONS
 from training.agitation.corpus import CORPORA, FREE_CORPORA, describe, read_recordings
 from training.agitation.fuzzy_svm import train
 from training.agitation.measuring import measured
-from understudy.acoustic.agitation.agitation import save
+from understudy.acoustic.agitation.classifier import save
 
 
 def main(arguments: Sequence[str] | None = None) -> None:

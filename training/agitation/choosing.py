@@ -20,7 +20,7 @@ from training.agitation.fuzzy_svm import (
     standards,
     typical_speaker,
 )
-from understudy.acoustic.agitation.agitation import likeness_at, squared_distances
+from understudy.acoustic.agitation.classifier import likeness_at, squared_distances
 from understudy.model import FloatArray
 
 FEATURES: Mapping[str, tuple[int, ...]] = {"paper": (12,), "full": (115, 149)}

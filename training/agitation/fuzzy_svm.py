@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from training.agitation.corpus import Samples
-from understudy.acoustic.agitation.agitation import AgitationModel, FuzzySvm
+from understudy.acoustic.agitation.classifier import AgitationModel, FuzzySvm
 from understudy.acoustic.agitation.fuzzy_training import (
     DecisionSurface,
     Kernel,

@@ -21,7 +21,7 @@ import numpy as np
 
 from training.alignment.degradations import by_telephone, equalised, in_a_room, in_noise
 from training.alignment.timit import Sentence, read_beginnings, read_sentences
-from understudy.acoustic.alignment.alignment import Aligner
+from understudy.acoustic.alignment.aligner import Aligner
 from understudy.acoustic.alignment.boundaries import (
     BANDS,
     CONTEXT_STEPS,

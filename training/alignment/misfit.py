@@ -19,7 +19,7 @@ from pathlib import Path
 import numpy as np
 from sklearn.linear_model import LogisticRegression
 
-from understudy.acoustic.alignment.alignment import Aligner
+from understudy.acoustic.alignment.aligner import Aligner
 from understudy.acoustic.alignment.fit import EVIDENCE, REFUSED, SUSPECT, evidence
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray
 from understudy.text.transcript import read_transcript

@@ -16,8 +16,8 @@ import numpy as np
 
 from training.focus.hearing import ROOT, HeardLine, hear, usual_seconds
 from training.focus.network import Lesson, arrays, taught
-from understudy.acoustic.alignment.alignment import Aligner
-from understudy.acoustic.focus.focus import FocusModel
+from understudy.acoustic.alignment.aligner import Aligner
+from understudy.acoustic.focus.focus_model import FocusModel
 from understudy.acoustic.focus.listeners import Listeners
 
 NETWORKS = 3

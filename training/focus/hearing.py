@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 import yaml
 
-from understudy.acoustic.alignment.alignment import Aligner
-from understudy.acoustic.focus.focus import inputs
+from understudy.acoustic.alignment.aligner import Aligner
+from understudy.acoustic.focus.focus_model import inputs
 from understudy.acoustic.focus.listeners import Listeners
 from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.acoustic.stage import contours_of

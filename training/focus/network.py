@@ -1,4 +1,4 @@
-"""The network of `understudy.acoustic.focus.focus` in torch, and how it is taught.
+"""The network of `understudy.acoustic.focus.focus_model` in torch, and how it is taught.
 
 Each line's target is a distribution over its words: what has the focus shares it, less a little that goes to the words
 in proportion to how emphasised listeners would find them; where no focus is known, all goes to them. The listeners'
@@ -15,7 +15,7 @@ from torch import Tensor, nn
 
 from training.focus.hearing import HeardLine
 from understudy.acoustic.focus.cues import CUES
-from understudy.acoustic.focus.focus import INPUTS
+from understudy.acoustic.focus.focus_model import INPUTS
 from understudy.model import FloatArray
 
 HIDDEN = 24

@@ -20,7 +20,7 @@ import soundfile
 
 from training.alignment.timit import read_sentences
 from training.focus.speaking import ROOT, Degree, Habits, deliver, take_apart
-from understudy.acoustic.alignment.alignment import Aligner
+from understudy.acoustic.alignment.aligner import Aligner
 from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.model import SAMPLE_RATE_HZ, FloatArray
 

@@ -31,7 +31,7 @@ import soxr
 from numpy.typing import NDArray
 
 from training.alignment.transcripts import FLITE
-from understudy.acoustic.alignment.alignment import Aligner
+from understudy.acoustic.alignment.aligner import Aligner
 from understudy.errors import UnderstudyError
 from understudy.model import SAMPLE_RATE_HZ, Audio, FloatArray
 from understudy.text.transcript import read_transcript

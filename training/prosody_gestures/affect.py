@@ -17,7 +17,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from understudy.acoustic.pitch.pitch import track_f0
+from understudy.acoustic.pitch.tracking import track_f0
 from understudy.acoustic.signal.decoding import decode
 from understudy.acoustic.signal.spectrum import energy_db
 from understudy.acoustic.stage import audio_limits

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 from ...errors import InputError
 from ...model import NEUTRAL, Affect, FloatArray, Tone, mean_affect
 from ...model.voice.signal import SpeakerReference
-from ..agitation.agitation import TRUST_RECORDINGS, FuzzySvm, svm_arrays, svm_of
+from ..agitation.classifier import TRUST_RECORDINGS, FuzzySvm, svm_arrays, svm_of
 from ..agitation.stored import read_arrays, write_arrays
 from ..agitation.utterance_features import TypicalSpeaker
 

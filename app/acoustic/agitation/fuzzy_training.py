@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FloatArray
-from .agitation import FuzzySvm, likeness_at, squared_distances
+from .classifier import FuzzySvm, likeness_at, squared_distances
 
 CALIBRATION_FOLDS = 4
 

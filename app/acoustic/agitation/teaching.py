@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ...errors import InputError
 from ...model import FloatArray, Level
 from ...model.voice.signal import SpeakerReference
-from .agitation import AgitationModel, likeness_at, squared_distances
+from .classifier import AgitationModel, likeness_at, squared_distances
 from .fuzzy_training import Kernel, held_out_values, joint_logistic, speaker_folds, standards, train_machines
 from .utterance_features import TypicalSpeaker
 

@@ -1,3 +1,3 @@
 """Forced alignment: the decoder (pocketsphinx, in a separate process), handling of long audio and of transcripts that
 do not fit, refinement of boundaries, and word timings of other tools. Imports `signal` and `pronunciation`. Begin with
-`alignment.py`, then `decoder_process.py`, the client of the decoder, and `boundaries.py`, the refinement."""
+`aligner.py`, then `decoder_process.py`, the client of the decoder, and `boundaries.py`, the refinement."""

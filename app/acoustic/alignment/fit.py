@@ -21,7 +21,7 @@ import numpy as np
 
 from ...errors import InputError
 from ...model import SAMPLE_RATE_HZ, Audio, FloatArray, Notice, Word
-from ..pitch.pitch import track_f0
+from ..pitch.tracking import track_f0
 from ..signal.spectrum import FRAME_S, frame_power
 from .decoder_process import DecodedPhone
 

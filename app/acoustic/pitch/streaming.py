@@ -1,4 +1,4 @@
-"""Tracks f0 as `understudy.acoustic.pitch.pitch` does, for a signal that is still being received.
+"""Tracks f0 as `understudy.acoustic.pitch.tracking` does, for a signal that is still being received.
 
 Statistics of the whole recording are replaced by those of the past: the speaker's range is that of the reliable frames
 so far, loud and quiet are levels of the last `LEVEL_FRAMES`. The path through the candidates is decided `PATH_FRAMES`
@@ -16,7 +16,7 @@ import numpy as np
 from ...model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, FloatArray, SingleArray
 from ..signal.frames import SHIFT_SAMPLES, frame_count
 from .harmonics import CANDIDATES_HZ, MARGIN, RESIDUAL_FRAMES, best_path, summed_harmonics
-from .pitch import (
+from .tracking import (
     RANGE_THRESHOLD,
     TUNED,
     Candidates,

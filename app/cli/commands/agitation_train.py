@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ...acoustic.agitation.agitation import AgitationModel, save_file
+from ...acoustic.agitation.classifier import AgitationModel, save_file
 from ...acoustic.agitation.teaching import LabelledRecordings, LeftOut, left_out, teach
 from ...acoustic.agitation.utterance_features import FEATURE_SETS, full_features
 from ...acoustic.agitation.voice_quality import voice_quality

@@ -4,7 +4,6 @@ import argparse
 import os
 from pathlib import Path
 
-from ...batch.batch import entries_before, run_batch
 from ...batch.layout import OURS, USUAL, Layout
 from ...batch.manifest.entries import ManifestEntry, State
 from ...batch.matching import RecordingPattern, TakeChoice
@@ -12,6 +11,7 @@ from ...batch.planning import BatchRequest, plan_batch
 from ...batch.reports.dry_run import dry_run
 from ...batch.running.engine import Engine
 from ...batch.scripts.columns import read_named
+from ...batch.whole_run import entries_before, run_batch
 from ...batch.work.formats import formats_named, needs_pictures, require_writers
 from ...batch.work.jobs import MotionForm
 from ...errors import InputError

@@ -16,7 +16,7 @@ from ...profiles.annotation.tables import write_json_tracks
 from ...profiles.annotation.tracks import KNOWN, PHRASE_ATTRIBUTES, Track, merged, rows_of, with_attribute_tracks
 from ...profiles.files.writing import profile_yaml
 from ...profiles.generation.script import RESTS, STANCES
-from ...profiles.learning.learning import doubts
+from ...profiles.learning.learner import doubts
 from ...profiles.mixing import mix
 from ...profiles.proposing import ProposedUnit, proposed_tracks, proposed_units, read_wrists
 from ...settings import read_settings

@@ -43,7 +43,7 @@ def _make(arguments: argparse.Namespace, log: Log) -> None:
     source = StudySource(Path(arguments.lines), arguments.audio and Path(arguments.audio), Path(arguments.out))
     request = StudyRequest(source, comparison, options, model, speakers)
     from ...models import Understudy  # imported late: arguments are checked before the models load
-    from ...study.making.making import make_study
+    from ...study.making.whole_study import make_study
 
     with Understudy.load(read_settings()) as understudy:
         rounds = make_study(request, understudy, partial(_line_made, log))

@@ -24,7 +24,7 @@ from types import MappingProxyType
 
 from ...model import Argument, Fact
 from ..knowledge import AlternativeCalls, Call, Choice, Claim, Knowledge, Limits, Reason
-from ..program.program import Program, Stratum
+from ..program.loading import Program, Stratum
 
 
 @dataclass(frozen=True, slots=True)

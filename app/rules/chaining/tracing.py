@@ -23,7 +23,7 @@ from ..language.tree import (
     Pattern,
     Statement,
 )
-from ..program.program import Program, Rule
+from ..program.loading import Program, Rule
 from ..program.stratification import asserted
 from .matching import Bindings, FactBase, Match, matches, substitute
 

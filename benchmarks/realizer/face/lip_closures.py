@@ -22,7 +22,7 @@ from benchmarks.acoustic.alignment import TIMIT, aligned_words
 from benchmarks.realizer.face.lip_closure import SHUT, Closure, lip_closures, lip_opening
 from benchmarks.realizer.face.lips import still_body
 from training.alignment.timit import Sentence, read_sentences
-from understudy.acoustic.alignment.alignment import Aligner
+from understudy.acoustic.alignment.aligner import Aligner
 from understudy.behavior.speech import visemes
 from understudy.files import resource_folder
 from understudy.model import Interval, Schedule, Word

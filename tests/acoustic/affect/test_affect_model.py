@@ -8,7 +8,7 @@ import pytest
 
 from tests.support.words.measured import stretch_of
 from understudy.acoustic.affect.affect_model import AffectModel, Expert, Gate, KernelMachines
-from understudy.acoustic.agitation.agitation import FuzzySvm
+from understudy.acoustic.agitation.classifier import FuzzySvm
 from understudy.acoustic.agitation.utterance_features import TypicalSpeaker
 from understudy.errors import InputError, ServiceError
 from understudy.files import resource_folder

@@ -1,1 +1,2 @@
-"""Agitation and its features, mostly on synthetic signals: `app/acoustic/agitation`. Begin with `test_agitation.py`."""
+"""Agitation and its features, mostly on synthetic signals: `app/acoustic/agitation`. Begin with
+`test_classifier.py`."""

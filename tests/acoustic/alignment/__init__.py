@@ -1,3 +1,3 @@
 """Words and phones in time: `app/acoustic/alignment` on the recordings of `tests/audio`, the decoder's process when it
-dies, and timings made elsewhere. Begin with `test_alignment.py`.
+dies, and timings made elsewhere. Begin with `test_aligner.py`.
 """

@@ -1,1 +1,1 @@
-"""Words without a recording: `app/acoustic/pacing` on hand-made words. Begin with `test_pacing.py`."""
+"""Words without a recording: `app/acoustic/pacing` on hand-made words. Begin with `test_word_times.py`."""

@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from understudy.acoustic.pitch.pitch import track_f0
 from understudy.acoustic.pitch.streaming import LATEST_S, StreamingPitch
+from understudy.acoustic.pitch.tracking import track_f0
 from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.acoustic.signal.frames import frame_count
 from understudy.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, FloatArray

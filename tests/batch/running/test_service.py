@@ -28,7 +28,7 @@ from understudy.options import Options
 from understudy.profiles.annotation.reading import read_annotations
 from understudy.profiles.files.reading import read_profile_text
 from understudy.profiles.files.writing import profile_yaml
-from understudy.profiles.learning.learning import learn
+from understudy.profiles.learning.learner import learn
 from understudy.settings import Settings
 
 AUDIO = Path(__file__).parents[2] / "audio"

@@ -10,7 +10,7 @@ from understudy.profiles.annotation.reading import read_annotations
 from understudy.profiles.annotation.spans import DEPTHS, HEIGHTS, RESTS, SIDEWAYS
 from understudy.profiles.files.reading import read_profile
 from understudy.profiles.files.writing import profile_yaml
-from understudy.profiles.learning.learning import learn
+from understudy.profiles.learning.learner import learn
 from understudy.realizer.arms.rest_poses import LIFTED, WAITS
 from understudy.realizer.arms.rest_poses import RESTS as POSES
 from understudy.realizer.gestures.gesture import Depth, HeightSector, Sideways

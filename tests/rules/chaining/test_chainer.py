@@ -20,7 +20,7 @@ from understudy.rules.chaining.chainer import (
     Limits,
     derive,
 )
-from understudy.rules.program.program import Program, load_program
+from understudy.rules.program.loading import Program, load_program
 
 DECLARATIONS = """
 predicate word(text, start, end)
@@ -262,7 +262,7 @@ def test_the_order_of_the_given_facts_does_not_matter(load: Load) -> None:
 def test_hash_seeds_do_not_matter(load: Load, tmp_path: Path) -> None:
     load(RAISING)
     script = (
-        "import sys, pathlib; from understudy.rules.program.program import load_program;"
+        "import sys, pathlib; from understudy.rules.program.loading import load_program;"
         "from understudy.rules.chaining.chainer import derive, Fact;"
         "program = load_program([pathlib.Path(sys.argv[1])]);"
         "given = {Fact('word', (text, s, s + 1)) for s, text in enumerate('abcdefg')} | {Fact('level', ('loud',))};"

@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from tests.support.examples import examples
 from understudy.model import Fact
 from understudy.rules.chaining.chainer import derive
-from understudy.rules.program.program import load_program
+from understudy.rules.program.loading import load_program
 
 LAYERS = 3
 ARITIES = {f"p{layer}{number}": number + 1 for layer in range(LAYERS) for number in range(3)}

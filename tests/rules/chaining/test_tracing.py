@@ -11,7 +11,7 @@ from understudy.rules.chaining.chainer import derive
 from understudy.rules.chaining.matching import FactBase
 from understudy.rules.chaining.tracing import ObstacleKind, RuleTrace, ShownStatement, fires, trace_rule, trace_rules
 from understudy.rules.derivation import derive_facts
-from understudy.rules.program.program import Program, load_program
+from understudy.rules.program.loading import Program, load_program
 
 RULES = """
 predicate word(text, start, end)

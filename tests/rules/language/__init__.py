@@ -1,3 +1,3 @@
 """Rule files as text: `app/rules/language`, every mistake with its line, column and wording. Begin with
-`test_language.py`.
+`test_parsing.py`.
 """

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from understudy.errors import AuthoringError, Mistake
-from understudy.rules.program.program import load_program
+from understudy.rules.program.loading import load_program
 
 DECLARATIONS = """predicate word(text, start, end)
 predicate near(one, other)

@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Literal
 
 from tests.support.batches import ThisProcess
-from understudy.batch.batch import Nobody, run_batch
 from understudy.batch.planning import BatchRequest
+from understudy.batch.whole_run import Nobody, run_batch
 from understudy.batch.work.formats import formats_named
 from understudy.batch.work.jobs import MotionForm
 from understudy.files import resource_folder

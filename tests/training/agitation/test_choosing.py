@@ -23,7 +23,7 @@ from training.agitation.fuzzy_svm import (
     train,
     train_svm,
 )
-from understudy.acoustic.agitation.agitation import squared_distances
+from understudy.acoustic.agitation.classifier import squared_distances
 from understudy.acoustic.agitation.utterance_features import TypicalSpeaker
 from understudy.model import Audio, Level
 from understudy.model.voice.signal import SpeakerReference

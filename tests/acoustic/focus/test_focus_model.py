@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from understudy.acoustic.focus.cues import CUES
-from understudy.acoustic.focus.focus import INPUTS, FocusModel
+from understudy.acoustic.focus.focus_model import INPUTS, FocusModel
 from understudy.errors import ServiceError
 from understudy.files import resource_folder
 from understudy.model import Contours, Interval, Word

@@ -13,7 +13,7 @@ import pytest
 import soundfile
 import soxr
 
-from understudy.acoustic.alignment.alignment import Aligner, spread
+from understudy.acoustic.alignment.aligner import Aligner, spread
 from understudy.acoustic.alignment.decoder_process import DecoderProcess, pcm
 from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.errors import InputError, ServiceError

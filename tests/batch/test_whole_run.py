@@ -11,10 +11,10 @@ import pytest
 import soundfile
 
 import understudy
-from understudy.batch.batch import Nobody, run_batch
 from understudy.batch.manifest.entries import ManifestEntry, State
 from understudy.batch.manifest.hashes import installation_hash
 from understudy.batch.planning import BatchRequest
+from understudy.batch.whole_run import Nobody, run_batch
 from understudy.batch.work.formats import LineFormat
 from understudy.bml.writing.writer import write_bml
 from understudy.errors import InputError
@@ -64,7 +64,7 @@ hashed_once = cache(installation_hash)
 
 @pytest.fixture
 def batch(tmp_path: Path, understudy: Understudy, monkeypatch: pytest.MonkeyPatch) -> Batch:
-    monkeypatch.setattr("understudy.batch.batch.installation_hash", hashed_once)
+    monkeypatch.setattr("understudy.batch.whole_run.installation_hash", hashed_once)
     return Batch(tmp_path, understudy)
 
 

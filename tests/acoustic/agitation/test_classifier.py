@@ -11,7 +11,7 @@ import pytest
 import soundfile
 
 from tests.support.words.measured import measured
-from understudy.acoustic.agitation.agitation import AgitationModel, FuzzySvm, save
+from understudy.acoustic.agitation.classifier import AgitationModel, FuzzySvm, save
 from understudy.acoustic.agitation.utterance_features import FEATURE_SETS, TypicalSpeaker, full_features
 from understudy.errors import InputError, ServiceError
 from understudy.files import resource_folder
@@ -133,7 +133,7 @@ def test_another_file_under_a_right_checksum_is_refused(tmp_path: Path, content:
 
 def test_the_shipped_models_load_without_scikit_learn() -> None:
     program = (
-        "import sys; from pathlib import Path; from understudy.acoustic.agitation.agitation import AgitationModel; "
+        "import sys; from pathlib import Path; from understudy.acoustic.agitation.classifier import AgitationModel; "
         f"[AgitationModel.load(Path({str(MODEL_FOLDER)!r}), name) for name in ('paper', 'full')]; "
         "sys.exit('sklearn' in sys.modules)"
     )

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from understudy.acoustic.pacing.pacing import FILE, Pace, PacedWords, PauseTable, paced, timed_elsewhere
 from understudy.acoustic.pacing.phone_durations import PhoneDurations
+from understudy.acoustic.pacing.word_times import FILE, Pace, PacedWords, PauseTable, paced, timed_elsewhere
 from understudy.errors import AuthoringError
 from understudy.files import resource_folder
 from understudy.model import PLAINLY_SPOKEN, Interval, Phone, Speaking, Word

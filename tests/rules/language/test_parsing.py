@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from understudy.rules.language.language import parse_rules, read_rules
+from understudy.rules.language.parsing import parse_rules, read_rules
 from understudy.rules.language.tree import (
     Alternatives,
     Atom,

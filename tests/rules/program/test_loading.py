@@ -7,7 +7,7 @@ import pytest
 from understudy.errors import AuthoringError
 from understudy.model import Fact
 from understudy.rules.chaining.chainer import derive
-from understudy.rules.program.program import load_program
+from understudy.rules.program.loading import load_program
 
 RULES = """
 predicate word(text, start, end)

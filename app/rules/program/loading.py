@@ -109,7 +109,7 @@ def load_program(
 
     Raises AuthoringError with all mistakes of all files, in the order of the files and their lines.
     """
-    from ..language.language import read_rules  # with `check` imported late: compiled rules need neither, nor lark
+    from ..language.parsing import read_rules  # with `check` imported late: compiled rules need neither, nor lark
     from .checking import check
 
     readings = [read_rules(path) for path in paths]

@@ -8,7 +8,7 @@ from tests.support.annotations import SPARING, SWEEPING, small_tracks
 from understudy.errors import InputError
 from understudy.model import Hand
 from understudy.profiles.annotation.reading import annotation_of, read_annotations
-from understudy.profiles.learning.learning import learn
+from understudy.profiles.learning.learner import learn
 from understudy.profiles.learning.observations import observed_gestures, observed_tags
 from understudy.profiles.profile import Profile
 from understudy.profiles.segments import spoken_s

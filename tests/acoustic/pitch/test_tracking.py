@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from tests.support.examples import examples
 from tests.support.shared_data import SHARED_SPEECH, needs
 from understudy.acoustic.pitch.harmonics import HIGHEST_F0_HZ, LOWEST_F0_HZ
-from understudy.acoustic.pitch.pitch import PUBLISHED, TUNED, Tuning, track_f0
+from understudy.acoustic.pitch.tracking import PUBLISHED, TUNED, Tuning, track_f0
 from understudy.acoustic.signal.decoding import AudioLimits, decode
 from understudy.model import FRAME_SHIFT_S, SAMPLE_RATE_HZ, Audio, FloatArray
 
