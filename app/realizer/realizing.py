@@ -1,7 +1,8 @@
 """Realizes a BML schedule as motion, with the paper's controllers (§3.8) in order: the idle body first, the face last.
 
-Each controller takes the body's motion so far and returns a new one. Gestures and gaze override the joints that they
-move, head movements are added to the current rotations, and a last pass resolves collisions of the arms with the body.
+Each controller changes the body's motion so far, in place, and returns it. Gestures and gaze override the joints that
+they move, head movements are added to the current rotations, and a last pass resolves collisions of the arms with the
+body.
 """
 
 from collections.abc import Iterator, Mapping

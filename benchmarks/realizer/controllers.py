@@ -69,7 +69,7 @@ def realized(schedule: Schedule, times_s: FloatArray, seed: int) -> tuple[BodyMo
 
     still = clocked("idle", lambda: idle_motion(BODY, times_s, schedule, seed=seed))
     gazing = clocked("gaze", lambda: apply_gaze(BODY, still, schedule, seed=seed)[0])
-    return gazing, clocked("head", lambda: apply_head_movements(BODY, gazing, schedule, seed=seed)), spent_ms
+    return gazing, clocked("head", lambda: apply_head_movements(BODY, gazing.copy(), schedule, seed=seed)), spent_ms
 
 
 def measure(schedule: Schedule, *, rate_hz: int, seed: int) -> Found:

@@ -23,6 +23,7 @@ from ..geometry.rotations import (
     length,
     multiply,
     rotate,
+    x_axis,
 )
 
 ELBOW_FLEXION_DEG = (12.0, 136.0)
@@ -35,6 +36,8 @@ _RAISED = (-1.0, -0.6, 0.0, 0.3, 0.6, 0.9), (0.0, 5.5, 8.0, 10.0, 18.0, 24.0)
 belly, at the shoulder, the head, overhead."""
 _PROTRACTED_DEG, _RETRACTED_DEG = 16.0, 12.0
 _SHRUG_DEG, _SLUMP_DEG = 18.0, 8.0
+_ALONG: FloatArray = np.array([1.0, 0.0, 0.0])
+_ALONG.setflags(write=False)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -116,7 +119,7 @@ def reach_by_elbow(bones: ArmBones, collarbone: FloatArray, wrist_m: FloatArray,
 def towards_elbow(upper_arm: FloatArray, elbow: FloatArray, bones: ArmBones) -> FloatArray:
     """The direction (…, 3) of the elbow, perpendicular to the line from shoulder to wrist, of an upper arm with this
     orientation (…, 4) and hinge rotation (…, 4). It is defined for a straight arm too."""
-    to_wrist = bones.upper_m * np.array([1.0, 0.0, 0.0]) + bones.lower_m * rotate(elbow, np.array([1.0, 0.0, 0.0]))
+    to_wrist = bones.upper_m * _ALONG + bones.lower_m * x_axis(elbow)
     aside = np.stack((to_wrist[..., 2], np.zeros_like(to_wrist[..., 0]), -to_wrist[..., 0]), axis=-1)
     return rotate(upper_arm, aside / length(aside))
 
@@ -165,9 +168,8 @@ def _bent(
     orientation = within_shoulder_limits(from_axes(upper, cross(towards, upper), towards))
     elbow = from_axis_angle((0.0, -1.0, 0.0), _flexion(bones, distance_m)[..., 0])
     forearm = multiply(orientation, elbow)
-    shoulder_m = bones.root_m + rotate(collarbone, bones.collarbone_m)
-    elbow_m = shoulder_m + rotate(orientation, np.array([bones.upper_m, 0.0, 0.0]))
-    reached_m = elbow_m + rotate(forearm, np.array([bones.lower_m, 0.0, 0.0]))
+    elbow_m = bones.root_m + rotate(collarbone, bones.collarbone_m) + bones.upper_m * x_axis(orientation)
+    reached_m = elbow_m + bones.lower_m * x_axis(forearm)
     return Reach(collarbone, multiply(inverse(collarbone), orientation), elbow, forearm, elbow_m, reached_m)
 
 

@@ -17,15 +17,16 @@ from numpy.typing import NDArray
 
 from ...model import FloatArray, Hand
 from ..body.contacts import PosedBody
-from ..body.limits import MIRROR, swing_twist_deg
+from ..body.limits import MIRROR
 from ..body.skeleton import Skeleton
 from ..geometry.curves import minimum_jerk
-from ..geometry.rotations import dot, from_axis_angle, inverse, length, multiply, nearest_sign, rotate
+from ..geometry.rotations import dot, inverse, length, multiply, nearest_sign, rotate
 from ..gestures.wrist_angles import preserving_wrist_angles
 from .arm_reach import ArmBones, reach_by_elbow, towards_elbow
 
 _ELBOW_AT_LEAST_M = 0.12
 _FARTHEST_M = 0.22
+_TWIST: FloatArray = np.array([1.0, 0.0, 0.0, 1.0])
 _MIRRORED: FloatArray = np.array([-1.0, 1.0, 1.0])
 
 
@@ -91,7 +92,9 @@ def _solved_again(
 
 
 def _without_twist(lower_arm: FloatArray) -> FloatArray:
-    return multiply(lower_arm, from_axis_angle((-1.0, 0.0, 0.0), np.radians(swing_twist_deg(lower_arm, 0)[..., 0])))
+    """The rotations (F, 4) without their twist about the bone, which is what x and w are of."""
+    twist = lower_arm * _TWIST
+    return multiply(lower_arm, inverse(twist / np.maximum(length(twist), 1e-12)))
 
 
 def _at_most(push_m: FloatArray, farthest_m: float) -> FloatArray:

@@ -182,6 +182,13 @@ def _generations(skeleton: Skeleton, only: frozenset[int] | None) -> list[tuple[
     return [(np.array(joints), np.array(parents)) for joints, parents in found if joints]
 
 
+@lru_cache(maxsize=64)
+def as_far_as_hands(skeleton: Skeleton) -> frozenset[int]:
+    """The joints that move the hands, and these: with no others, `forward` is much faster."""
+    arms = (side + joint for side in SIDES for joint in ("Shoulder", "UpperArm", "LowerArm", "Hand"))
+    return frozenset(skeleton.chain("hips", "spine", "chest", "upperChest", *arms))
+
+
 _PHALANGES = ("Proximal", "Intermediate", "Distal")
 FINGER_JOINTS: tuple[str, ...] = tuple(
     finger + phalanx

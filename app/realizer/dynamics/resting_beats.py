@@ -7,6 +7,7 @@ there are and how high the hand is lifted; the hand that does not lead is lifted
 from bisect import bisect_left, bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -60,12 +61,21 @@ def _times(
 ) -> Iterator[tuple[float, float]]:
     """The times of beats and their heights: on emphases, and at uneven steps where none comes for longer."""
     for phrase in phrases:
-        rng = np.random.default_rng((seed, round(1000 * phrase.start_s)))
         within = emphases_s[bisect_left(emphases_s, phrase.start_s) : bisect_right(emphases_s, phrase.end_s)]
-        at_s = phrase.start_s
-        while at_s < phrase.end_s:
-            step_s, height = float(rng.uniform(*_STEPS_S)), float(rng.uniform(0.7, 1.3))
-            soon = next((each for each in within if at_s + SPACING_S <= each <= at_s + step_s + _SETTLED_S), None)
-            at_s = at_s + step_s if soon is None else soon
-            if at_s <= phrase.end_s and rng.uniform() < likely:
-                yield at_s, height * (_UNSTRESSED if soon is None else 1.0)
+        yield from _times_within(phrase, tuple(within), likely, seed)
+
+
+@lru_cache(maxsize=64)
+def _times_within(
+    phrase: Interval, emphases_s: tuple[float, ...], likely: float, seed: int
+) -> list[tuple[float, float]]:
+    """Those of one phrase. Cached, since either hand has them; never mutated."""
+    rng = np.random.default_rng((seed, round(1000 * phrase.start_s)))
+    found, at_s = [], phrase.start_s
+    while at_s < phrase.end_s:
+        step_s, height = float(rng.uniform(*_STEPS_S)), float(rng.uniform(0.7, 1.3))
+        soon = next((each for each in emphases_s if at_s + SPACING_S <= each <= at_s + step_s + _SETTLED_S), None)
+        at_s = at_s + step_s if soon is None else soon
+        if at_s <= phrase.end_s and rng.uniform() < likely:
+            found.append((at_s, height * (_UNSTRESSED if soon is None else 1.0)))
+    return found

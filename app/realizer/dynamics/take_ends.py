@@ -8,13 +8,11 @@ rest in the first or the last frames of the finished motion, the whole body goes
 eyes: they move as fast as eyes can already.
 """
 
-from functools import lru_cache
-
 import numpy as np
 
 from ...model import FloatArray
 from ..body.motion import BodyMotion
-from ..body.skeleton import SIDES, Skeleton, forward
+from ..body.skeleton import Skeleton, as_far_as_hands, forward
 from ..geometry.rotations import length, nearest_sign, normalized
 
 _STANDS_S = 0.02
@@ -76,14 +74,7 @@ def _moves_at_an_end(skeleton: Skeleton, body: BodyMotion) -> bool:
     steps = min(max(int(_BODY_STANDS_S / step_s), 1), len(body.times_s) - 1)
     inwards = np.arange(steps + 1)
     frames = np.stack((inwards, len(body.times_s) - 1 - inwards))
-    at_m, _turned = forward(skeleton, body.rotations[frames], body.hips_m[frames], _as_far_as_the_hands(skeleton))
+    at_m, _turned = forward(skeleton, body.rotations[frames], body.hips_m[frames], as_far_as_hands(skeleton))
     wrists_m = at_m[..., skeleton.chain("leftHand", "rightHand"), :]
     way_m = length(wrists_m[:, 1:] - wrists_m[:, :1])[..., 0].max(axis=2)
     return bool(np.any(way_m > _AT_REST_M_S * step_s * inwards[1:]))
-
-
-@lru_cache(maxsize=64)
-def _as_far_as_the_hands(skeleton: Skeleton) -> frozenset[int]:
-    """The joints that move the hands, and these."""
-    arms = (side + joint for side in SIDES for joint in ("Shoulder", "UpperArm", "LowerArm", "Hand"))
-    return frozenset(skeleton.chain("hips", "spine", "chest", "upperChest", *arms))

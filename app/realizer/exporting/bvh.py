@@ -18,6 +18,7 @@ import numpy as np
 from ...model import FloatArray
 from ..body.motion import Motion
 from ..body.skeleton import FINGERS, Offset, Skeleton
+from .fixed_decimals import RowFormat, written_rows
 from .retargeting import Rig
 
 CENTIMETRES = 100.0
@@ -54,13 +55,14 @@ def to_bvh(
         "",
     ]
     values = _channels(motion, order)
-    row = " ".join([f"%.{DECIMALS}f"] * values.shape[1]) + "\n"
+    row = RowFormat(DECIMALS, between=" ", after="\n")
     content = io.BytesIO()
     content.write("\n".join(lines).encode())
     if t_pose:
-        content.write((row % (*skeleton.offsets_m[0] * CENTIMETRES, *[0.0] * (values.shape[1] - 3))).encode())
+        upright = np.concatenate([skeleton.offsets_m[0] * CENTIMETRES, np.zeros(values.shape[1] - 3)])
+        content.writelines(written_rows(upright[None, None], row))
     for chunk in np.array_split(values, -(-frames // CHUNK)):
-        content.write("".join([row % tuple(frame) for frame in chunk.tolist()]).encode())
+        content.writelines(written_rows(chunk[None], row))
     return content.getvalue()
 
 
@@ -87,7 +89,7 @@ def _channels(motion: Motion, order: list[int]) -> FloatArray:
     for place, joint in enumerate(order):
         angles = np.unwrap(zxy_degrees(motion.body.rotations[:, joint]), period=360, axis=0)
         values[:, 3 + 3 * place : 6 + 3 * place] = angles
-    return np.asarray(np.round(values, DECIMALS, out=values) + 0.0)
+    return values
 
 
 def _depth_first(skeleton: Skeleton, joint: int) -> Iterator[int]:

@@ -44,8 +44,8 @@ def turn_about_z(q: FloatArray, angle: FloatArray) -> None:
     product of complex numbers. Raises ValueError for quaternions whose parts are not side by side in memory."""
     pairs, half = q.view(_COMPLEX), 0.5 * angle
     turned = np.empty(half.shape, dtype=np.complex128)
-    np.cos(half, out=turned.real)
-    np.sin(-half, out=turned.imag)
+    sine, turned.real = sine_and_cosine(half)
+    np.negative(sine, out=turned.imag)
     pairs *= turned[..., None]
 
 

@@ -14,7 +14,7 @@ import numpy as np
 
 from ...model import Behavior, Channel, FloatArray, Hand, Schedule, SyncPoints
 from ..body.motion import BodyMotion, Decision
-from ..body.skeleton import Skeleton, forward
+from ..body.skeleton import Skeleton, as_far_as_hands, forward
 from ..geometry.rotations import rotate
 from ..gestures.gesture_plan import ArmGesture, GesturePlan, Position
 from .gaze_targets import LISTENER
@@ -168,7 +168,7 @@ def _look(skeleton: Skeleton, body: BodyMotion, arms: Sequence[ArmGesture], sync
     """The look at where the arms are when their stroke is over."""
     leads = arms[0]
     frame = min(int(np.searchsorted(body.times_s, leads.markers.stroke_end)), len(body.times_s) - 1)
-    places_m, turned = forward(skeleton, body.rotations[frame], body.hips_m[frame])
+    places_m, turned = forward(skeleton, body.rotations[frame], body.hips_m[frame], as_far_as_hands(skeleton))
     at_m = np.mean([_shown_m(skeleton, places_m, turned, arm) for arm in arms], axis=0)
     x, y, z = (float(each) for each in at_m)
     gaze = Behavior(

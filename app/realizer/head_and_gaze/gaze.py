@@ -152,16 +152,15 @@ def apply_gaze(
     targets_m: Mapping[str, Position] = MappingProxyType({}),
     seed: int = 0,
 ) -> tuple[BodyMotion, FloatArray]:
-    """The body with eyes, head and trunk following the schedule's gazes, and looking at the listener otherwise; and the
-    points (T, 3) at which the eyes look.
+    """The body, changed in place, with eyes, head and trunk following the schedule's gazes, and looking at the listener
+    otherwise; and the points (T, 3) at which the eyes look.
 
     `targets_m` has the world positions of targets; any other target is the other person (`LISTENER_M`).
     """
     times_s, from_m = body.times_s, eyes_in_t_pose_m(skeleton)
     before = (1 - schedule.stillness) * _elsewhere(np.random.default_rng(seed + 8))
     line, head, trunk = _courses(times_s, gaze_targets(schedule, from_m, targets_m, before=before))
-    rotations = body.rotations.copy()
-    joints = skeleton.rows(*TRUNK)
+    rotations, joints = body.rotations, skeleton.rows(*TRUNK)
     rotations[:, joints] = multiply(rotations[:, joints], from_axis_angle(_UPWARDS, trunk / len(TRUNK))[:, None])
     carrying = chest(skeleton, rotations, body.hips_m)
     neck, skull = _shared_out(carrying, head)
@@ -169,7 +168,7 @@ def apply_gaze(
     at_m = point_in_direction(line[:, 0] + aside[:, 0], line[:, 1] + aside[:, 1], 1.0 / line[:, 2], from_m)
     rotations[:, skeleton.index["neck"]], rotations[:, skeleton.index["head"]] = neck, skull
     rotations[:, skeleton.chain(*EYES)], seen_m = looking(face(skeleton, carrying, neck, skull), at_m)
-    return BodyMotion(times_s, rotations, body.hips_m), seen_m
+    return body, seen_m
 
 
 def _courses(times_s: FloatArray, aims: GazeTargets) -> tuple[FloatArray, FloatArray, FloatArray]:

@@ -203,10 +203,11 @@ def apply_head_movements(
     seen_m: FloatArray | None = None,
     trunk_s: FloatArray | None = None,
 ) -> BodyMotion:
-    """The body with the schedule's head movements on neck and head, and idle movement of trunk, neck and head.
+    """The body, changed in place, with the schedule's head movements on neck and head, and idle movement of trunk, neck
+    and head.
     `seen_m` (T, 3) is where the eyes look, which saves finding it out; `trunk_s` (T,) are the times at which the trunk
     is as it is in the frames, if others than theirs."""
-    times_s, rotations, frame_s = body.times_s, body.rotations.copy(), float(body.times_s[1] - body.times_s[0])
+    times_s, rotations, frame_s = body.times_s, body.rotations, float(body.times_s[1] - body.times_s[0])
     joints, eyes, trunk = skeleton.chain("neck", "head"), skeleton.chain(*EYES), skeleton.rows(*TRUNK)
     seen_m = _seen_m(skeleton, body) if seen_m is None else seen_m
     waiting_s = waiting_for_words(times_s, schedule.words)
@@ -224,7 +225,7 @@ def apply_head_movements(
     looking = eye_rotations(face(skeleton, chest(skeleton, rotations, body.hips_m), neck, skull), seen_m)
     for place, eye in enumerate(eyes):
         rotations[:, eye] = within_speed(looking[:, place], frame_s, FASTEST_EYE_RAD_S)
-    return BodyMotion(times_s, rotations, body.hips_m)
+    return body
 
 
 def _seen_m(skeleton: Skeleton, body: BodyMotion) -> FloatArray:

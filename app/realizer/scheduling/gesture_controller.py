@@ -27,7 +27,7 @@ from ..arms.arms import set_arms
 from ..body.limits import MIRROR
 from ..body.motion import BodyMotion
 from ..body.movement_style import StrokeLife
-from ..body.skeleton import Skeleton, arm_joints, forward
+from ..body.skeleton import Skeleton, arm_joints, as_far_as_hands, forward
 from ..dynamics.calming import calm
 from ..dynamics.dragging import drag
 from ..dynamics.take_ends import eased_at_the_ends
@@ -118,9 +118,8 @@ def apply_gestures(
     noise_scale: float = 1.0,
     accents: AccentCourse | None = None,
 ) -> BodyMotion:
-    """The body with the plan's arm motion, and the trunk following it and its `accents`. Deterministic for a seed.
-    `noise_scale` (0 to 1) scales the arms' noise."""
-    body = body.copy()
+    """The body, changed in place, with the plan's arm motion, and the trunk following it and its `accents`.
+    Deterministic for a seed. `noise_scale` (0 to 1) scales the arms' noise."""
     rows = [_arm_rows(skeleton, side) for side in SIDES]
     collarbones = [joints.start for joints in rows]
     breath = _breath(body.rotations.take(collarbones, axis=1))
@@ -213,7 +212,7 @@ def _turn(skeleton: Skeleton, body: BodyMotion, arm: ArmGesture) -> FloatArray:
     frames = np.searchsorted(
         body.times_s, [markers.stroke_start, (markers.stroke_start + markers.stroke_end) / 2, markers.stroke_end]
     ).clip(max=len(body.times_s) - 1)
-    at_m, turned = forward(skeleton, body.rotations[frames], body.hips_m[frames])
+    at_m, turned = forward(skeleton, body.rotations[frames], body.hips_m[frames], as_far_as_hands(skeleton))
     shoulder, wrist = (skeleton.index[arm.side + name] for name in ("UpperArm", "Hand"))
     way_m, reach_m = at_m[2, wrist] - at_m[0, wrist], at_m[1, wrist] - at_m[1, shoulder]
     length_m = float(length(way_m)[0])

@@ -8,8 +8,10 @@ in the same phrase), or if there is no time to rest in between. Where singletons
 there are no units, and a rest takes no longer than hands at their fastest need for the way there and back.
 """
 
+from bisect import bisect_right
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import accumulate
 from math import inf
 
 import numpy as np
@@ -94,8 +96,8 @@ class TransitionContext:
 
 def _drawn_wait(rng: np.random.Generator, weights: Mapping[Wait, float]) -> Wait:
     """One of them, by their weights."""
-    waits, shares = list(weights), np.array(list(weights.values()))
-    return waits[int(rng.choice(len(waits), p=shares / shares.sum()))]
+    waits, sums = list(weights), list(accumulate(weights.values()))
+    return waits[bisect_right(sums, float(rng.random()) * sums[-1])]
 
 
 def gap_s(first: PlacedGesture, second: PlacedGesture) -> float:

@@ -6,7 +6,7 @@ is that of `understudy.realizer.torso.balance`.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -56,19 +56,19 @@ class FootStep:
 def with_steps(
     skeleton: Skeleton, body: BodyMotion, schedule: Schedule, *, seed: int
 ) -> tuple[BodyMotion, tuple[Decision, ...]]:
-    """The body with steps, and the decisions about them; deterministic for a seed."""
+    """The body, changed in place, with steps, and the decisions about them; deterministic for a seed."""
     steps = steps_of(schedule, seed=seed)
     if not steps:
         return body, ()
-    times_s, rotations, hips_m = body.times_s, body.rotations.copy(), body.hips_m.copy()
+    times_s, rotations, hips_m = body.times_s, body.rotations, body.hips_m
     feet = _course(times_s, standing(skeleton), steps)
+    before_m = hips_height_m(skeleton, hips_m, rotations[:, 0])
     hips_m[:, [0, 2]] += _carried(times_s, steps)
     hips_m[:, 0] = _over_the_standing_leg(times_s, hips_m[:, 0], feet, steps)
-    before_m = hips_height_m(skeleton, body.hips_m, rotations[:, 0])
     hips_m[:, 1] += hips_height_m(skeleton, hips_m, rotations[:, 0], feet) - before_m
     set_legs(skeleton, rotations, hips_m, feet)
     told = ", ".join(f"{step.start_s:.2f}" for step in steps)
-    return replace(body, rotations=rotations, hips_m=hips_m), (Decision("", "stepped", f"both feet move at {told} s"),)
+    return body, (Decision("", "stepped", f"both feet move at {told} s"),)
 
 
 def steps_of(schedule: Schedule, *, seed: int) -> tuple[FootStep, ...]:

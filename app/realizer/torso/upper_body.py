@@ -16,7 +16,6 @@ Conventions: radians; world axes, y up, z forward.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
 from types import MappingProxyType
 
 import numpy as np
@@ -42,16 +41,15 @@ _LEFT_S = 0.4
 
 
 def with_aimed_arms(skeleton: Skeleton, body: BodyMotion, arms: Sequence[ArmGesture]) -> BodyMotion:
-    """The body with its pointing arms corrected to point at their targets."""
+    """The body, changed in place, with its pointing arms corrected to point at their targets."""
     aimed = [arm for arm in arms if arm.placed.aim_m is not None and not arm.placed.follows]
     if not aimed:
         return body
-    rotations = body.rotations.copy()
     for arm in aimed:
         share = _share(arm, body.times_s)
         frames = np.flatnonzero(share > 0)
-        rotations[frames] = _turned(skeleton, rotations[frames], arm, share[frames])
-    return replace(body, rotations=rotations)
+        body.rotations[frames] = _turned(skeleton, body.rotations[frames], arm, share[frames])
+    return body
 
 
 def _share(arm: ArmGesture, times_s: FloatArray) -> FloatArray:
@@ -86,8 +84,8 @@ _UP, _OUT, _FORWARD = np.array([0.0, 1.0, 0.0]), np.array([1.0, 0.0, 0.0]), (0.0
 
 
 def with_hanging_arms(skeleton: Skeleton, body: BodyMotion) -> BodyMotion:
-    """The body with hanging arms that do not follow the sideways tilt of the ribs."""
-    rotations = body.rotations.copy()
+    """The body, changed in place, with hanging arms that do not follow the sideways tilt of the ribs."""
+    rotations = body.rotations
     chest = rotations[:, 0]
     for joint in skeleton.chain(*_TRUNK[1:]):
         chest = multiply(chest, rotations[:, joint])
@@ -99,7 +97,7 @@ def with_hanging_arms(skeleton: Skeleton, body: BodyMotion) -> BodyMotion:
         turned = multiply(carrying, rotations[:, arm])
         straight = from_axis_angle(_FORWARD, _STRAIGHT * tilt * _hanging(rotate(turned, sign * _OUT)))
         rotations[:, arm] = multiply(inverse(carrying), multiply(straight, turned))
-    return replace(body, rotations=rotations)
+    return body
 
 
 def _hanging(along: FloatArray) -> FloatArray:
@@ -115,7 +113,8 @@ _FRAMES_AT_ONCE = 2048
 
 
 def with_hands_on_pelvis(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan) -> BodyMotion:
-    """The body with the hands that rest on hips or in pockets carried by the pelvis, whatever the ribs do."""
+    """The body, changed in place, with the hands that rest on hips or in pockets carried by the pelvis, whatever the
+    ribs do."""
     times_s = eased_at_the_ends(body.times_s, plan.style.ends.eased_s)
     pushes_m = np.zeros((len(SIDES), len(times_s), 3))
     for rest in plan.rests:
@@ -128,14 +127,13 @@ def with_hands_on_pelvis(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan
     moved = np.flatnonzero(pushes_m.any(axis=(0, 2)))
     if not len(moved):
         return body
-    rotations = body.rotations.copy()
     for first in range(0, len(moved), _FRAMES_AT_ONCE):
         frames = moved[first : first + _FRAMES_AT_ONCE]
         still = np.zeros((len(frames), 3))
         pushes = {side: Displacement(push_m[frames], still) for side, push_m in zip(SIDES, pushes_m, strict=True)}
-        posed = PosedBody.of(skeleton, rotations[frames], body.hips_m[frames])
-        rotations[frames] = displaced(skeleton, posed, pushes)
-    return replace(body, rotations=rotations)
+        posed = PosedBody.of(skeleton, body.rotations[frames], body.hips_m[frames])
+        body.rotations[frames] = displaced(skeleton, posed, pushes)
+    return body
 
 
 def _carried_m(skeleton: Skeleton, body: BodyMotion, rest: ArmRest, frames: NDArray[np.intp]) -> FloatArray:
@@ -171,18 +169,18 @@ _WEAKER = 0.92
 
 
 def with_shrugs(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan) -> BodyMotion:
-    """The body with its shoulders lifted by the plan's shrugs."""
+    """The body, changed in place, with its shoulders lifted by the plan's shrugs."""
     shrugs = [each for each in plan.gestures if each.placed.clip.category in LIFTS_DEG]
     if not shrugs:
         return body
-    rotations = body.rotations.copy()
+    rotations = body.rotations
     for side in (Hand.LEFT, Hand.RIGHT):
         raised = from_axis_angle(_AXIS, _RISING[side] * _lift(body.times_s, shrugs, side))
         collarbone, arm = skeleton.chain(f"{side.value}Shoulder", f"{side.value}UpperArm")
         before = rotations[:, collarbone].copy()
         rotations[:, collarbone] = multiply(raised, before)
         rotations[:, arm] = multiply(multiply(inverse(rotations[:, collarbone]), before), rotations[:, arm])
-    return replace(body, rotations=rotations)
+    return body
 
 
 def _lift(times_s: FloatArray, shrugs: Iterable[ArmGesture], side: Hand) -> FloatArray:
@@ -204,12 +202,11 @@ _NECK_HZ = 0.4
 def with_neck_reaching(
     skeleton: Skeleton, body: BodyMotion, schedule: Schedule, strokes: FloatArray, *, seed: int, life: IdleLife
 ) -> BodyMotion:
-    """The body with its neck inclined, by itself and by `strokes` (T,). Deterministic for a seed."""
+    """The body, changed in place, with its neck inclined, by itself and by `strokes` (T,). Deterministic for a seed."""
     noise = perlin(body.times_s, frequency_hz=_NECK_HZ, seed=seed + 4)[:, 0]
     forward = np.radians(life.neck_forward_deg + life.neck_deg * idle_activity(schedule) * noise) + strokes
     neck, head = skeleton.chain("neck", "head")
-    rotations = body.rotations.copy()
-    before = body.rotations[:, neck]
-    rotations[:, neck] = multiply(from_axis_angle((1.0, 0.0, 0.0), forward), before)
-    rotations[:, head] = multiply(inverse(rotations[:, neck]), multiply(before, body.rotations[:, head]))
-    return replace(body, rotations=rotations)
+    before = body.rotations[:, neck].copy()
+    body.rotations[:, neck] = multiply(from_axis_angle((1.0, 0.0, 0.0), forward), before)
+    body.rotations[:, head] = multiply(inverse(body.rotations[:, neck]), multiply(before, body.rotations[:, head]))
+    return body

@@ -195,10 +195,12 @@ def test_the_gaze_takes_the_place_of_what_the_head_did_before_and_leaves_the_bod
     rotations[:, BODY.chain("neck", "head")] = rotations[:, BODY.index["leftUpperArm"], None]
     shaken = BodyMotion(TIMES_S, rotations, calm.hips_m)
     assert np.allclose(
-        apply_gaze(BODY, shaken, schedule())[0].rotations, apply_gaze(BODY, calm, schedule())[0].rotations
+        apply_gaze(BODY, shaken.copy(), schedule())[0].rotations, apply_gaze(BODY, calm.copy(), schedule())[0].rotations
     )
     others = [joint for joint in range(len(BODY.names)) if joint not in BODY.chain("neck", "head", *EYES)]
-    assert np.allclose(apply_gaze(BODY, calm, schedule())[0].rotations[:, others], calm.rotations[:, others], atol=1e-9)
+    assert np.allclose(
+        apply_gaze(BODY, calm.copy(), schedule())[0].rotations[:, others], calm.rotations[:, others], atol=1e-9
+    )
 
 
 def test_a_line_that_opens_with_a_turn_begins_beside_the_listener_and_looks_at_him() -> None:

@@ -63,7 +63,7 @@ def aside_deg(body: BodyMotion, side: str) -> FloatArray:
 
 
 def test_hanging_arms_stay_as_they_hang_while_the_trunk_leans() -> None:
-    straight = with_hanging_arms(BODY, LEANING)
+    straight = with_hanging_arms(BODY, LEANING.copy())
     before, after = TIMES_S < 0.9, TIMES_S > 2.2
     for side in ("left", "right"):
         swings = [
@@ -79,7 +79,7 @@ def test_a_raised_arm_goes_with_the_ribs() -> None:
     rotations[:, BODY.index["leftUpperArm"]] = from_axis_angle((0.0, 0.0, 1.0), np.array(0.2))
     raised = BodyMotion(TIMES_S, rotations, LEANING.hips_m)
     arm = BODY.index["leftUpperArm"]
-    assert np.allclose(with_hanging_arms(BODY, raised).rotations[:, arm], rotations[:, arm], atol=1e-9)
+    assert np.allclose(with_hanging_arms(BODY, raised.copy()).rotations[:, arm], rotations[:, arm], atol=1e-9)
 
 
 def strayed_m(body: BodyMotion, side: str) -> float:
@@ -94,8 +94,8 @@ def strayed_m(body: BodyMotion, side: str) -> float:
 def test_hands_on_the_pelvis_stay_there_while_the_ribs_lean(posture: str) -> None:
     resting = behavior(Channel.POSTURE, posture, 0.0, 0.2)
     plan = plan_gestures(LIBRARY, schedule(resting), seed=0)
-    body = apply_gestures(BODY, LEANING, plan, seed=0, noise_scale=0.0)
-    carried = with_hands_on_pelvis(BODY, body, plan)
+    body = apply_gestures(BODY, LEANING.copy(), plan, seed=0, noise_scale=0.0)
+    carried = with_hands_on_pelvis(BODY, body.copy(), plan)
     for side in ("left", "right"):
         assert strayed_m(body, side) > 0.02
         assert strayed_m(carried, side) < 0.5 * strayed_m(body, side)
@@ -103,7 +103,7 @@ def test_hands_on_the_pelvis_stay_there_while_the_ribs_lean(posture: str) -> Non
 
 def test_hands_before_the_belly_go_with_the_ribs() -> None:
     plan = plan_gestures(LIBRARY, schedule(behavior(Channel.POSTURE, "HANDS_CLASPED", 0.0, 0.2)), seed=0)
-    body = apply_gestures(BODY, LEANING, plan, seed=0)
+    body = apply_gestures(BODY, LEANING.copy(), plan, seed=0)
     assert with_hands_on_pelvis(BODY, body, plan) is body
 
 
@@ -118,7 +118,7 @@ def planned(lexeme: str, hand: Hand) -> GesturePlan:
 def before_and_after(lexeme: str, hand: Hand = Hand.BOTH) -> tuple[BodyMotion, BodyMotion]:
     plan = planned(lexeme, hand)
     body = apply_gestures(BODY, idle_motion(BODY, TIMES_S, schedule(), seed=1), plan, seed=1)
-    return body, with_shrugs(BODY, body, plan)
+    return body, with_shrugs(BODY, body.copy(), plan)
 
 
 def elevation_deg(body: BodyMotion, side: str) -> FloatArray:
@@ -155,7 +155,7 @@ def test_the_arms_rise_with_the_shoulders_and_keep_their_orientation() -> None:
 def test_other_gestures_leave_the_shoulders_alone() -> None:
     assert set(LIFTS_DEG) <= set(LIBRARY.categories)
     before, after = before_and_after("OPEN_HAND", Hand.RIGHT)
-    assert after is before
+    assert np.array_equal(after.rotations, before.rotations)
 
 
 LIFE = IdleLife(neck_forward_deg=10.0)
@@ -163,7 +163,7 @@ LIFE = IdleLife(neck_forward_deg=10.0)
 
 def test_the_head_comes_forward_and_down_and_keeps_its_orientation() -> None:
     before = idle_motion(BODY, TIMES_S, schedule(), seed=1)
-    after = with_neck_reaching(BODY, before, schedule(), np.zeros(len(TIMES_S)), seed=1, life=LIFE)
+    after = with_neck_reaching(BODY, before.copy(), schedule(), np.zeros(len(TIMES_S)), seed=1, life=LIFE)
     head = BODY.index["head"]
     (before_m, before_turned), (after_m, after_turned) = (
         forward(BODY, each.rotations, each.hips_m) for each in (before, after)
@@ -177,6 +177,6 @@ def test_the_head_comes_forward_and_down_and_keeps_its_orientation() -> None:
 def test_strokes_move_it_too() -> None:
     before = idle_motion(BODY, TIMES_S, schedule(), seed=1)
     strokes = np.radians(np.where(TIMES_S > 1.0, 6.0, 0.0))
-    after = with_neck_reaching(BODY, before, schedule(), strokes, seed=1, life=IdleLife())
+    after = with_neck_reaching(BODY, before.copy(), schedule(), strokes, seed=1, life=IdleLife())
     turned = np.degrees(angle_between(before.rotations, after.rotations)[:, BODY.index["neck"]])
     assert turned == pytest.approx(np.degrees(strokes), abs=1e-6)
