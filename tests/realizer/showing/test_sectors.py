@@ -143,7 +143,7 @@ def test_offset_tracks_of_a_script_are_added_to_the_gestures_own(understudy: Und
         ("held chest 0 12", "'held chest 0 12' is not a track; give form, joint and three angles"),
         ("held chset 0 12 0", "chset"),
         ("held chest 0 60 0", "60 is outside -45 … 45°"),
-        ("circling Hand 0 12 0", "says its turns after the angles"),
+        ("circling Hand 0 12 0", "gives its turns after the angles"),
     ],
 )
 def test_a_track_that_cannot_be_read_is_told(track: str, told: str) -> None:

@@ -50,7 +50,7 @@ def test_the_key_may_lie_in_the_folder_above_or_be_named(tmp_path: Path) -> None
     assert read_answers([answer]).ratings == (Rating("1", "one", "semantic", 9),)
     key.rename(tmp_path / "other.csv")
     assert read_answers([answer], tmp_path / "other.csv").ratings == (Rating("1", "one", "semantic", 9),)
-    with pytest.raises(AnswersError, match=r"give --key"):
+    with pytest.raises(AnswersError, match=r"as --key"):
         read_answers([answer])
 
 
