@@ -11,6 +11,7 @@ from understudy.model.limits import (
     SHORTEST_STROKE_S,
     SHORTEST_TRANSITION_S,
     SLOWEST_STROKE_M_S,
+    TOP_STROKE_SPEED_M_S,
     ArmEnds,
     GestureForm,
     GestureTable,
@@ -47,7 +48,7 @@ def test_size_grows_with_the_root_of_the_amount_until_the_stroke_is_too_fast() -
     assert size_of(None) == size_of(0.5) == 1.0
     assert size_of(1.0) == pytest.approx(2**0.5)
     assert playable_size(1.2, 0.5) == pytest.approx(1.2)
-    assert playable_size(2.0, 0.8) * 0.8 == pytest.approx(1.0)
+    assert playable_size(2.0, 0.8) * 0.8 == pytest.approx(TOP_STROKE_SPEED_M_S)
 
 
 def test_the_way_between_two_gestures_is_that_of_the_arms_that_make_both() -> None:

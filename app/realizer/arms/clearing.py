@@ -15,7 +15,7 @@ from ..geometry.rotations import angle_between, length
 from .displacements import Displacement, displaced, stretches
 
 _CLEARANCE_M = 0.004
-_ROUNDS = 8
+_ROUNDS = 16
 _LEAST_SHARE = 0.25
 """Of the wrist in what moves a forearm: an elbow in the belly, turned about the line from shoulder to wrist alone, may
 slide along the belly and never come out."""

@@ -2,9 +2,11 @@
 
 People's strokes peak at 1.1 to 1.4 m/s, about as fast as their retractions, and their durations vary; clips have only
 a few durations. A stroke is shortened until its mean speed reaches a random value that depends on the level of
-agitation, and never lengthened; gestures that are slow by their meaning stay slow. The time of the emphasis is
-unchanged; preparation and hold fill the remaining time. Gestures are still planned with the speed of the clip, so that
-movements between gestures do not become faster.
+agitation, and never lengthened; gestures that are slow by their meaning stay slow. What limits the speed of the usual
+stroke limits that of a bigger or quicker voice at as much more, and of a smaller or slower one at as much less, so that
+strokes that are all at a limit still differ. The time of the emphasis is unchanged; preparation and hold fill the
+remaining time. Gestures are still planned with the speed of the clip, so that movements between gestures do not become
+faster.
 """
 
 from dataclasses import replace
@@ -52,14 +54,15 @@ def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -
     level = _LEVELS.index(clip.level)
     if placed.request.asked.stroke_s is not None:
         return _lasting(placed, placed.request.asked.stroke_s, strokes.fastest_m_s[level])
-    pace = float(rng.uniform(*strokes.variety))
-    wanted_m_s = min(strokes.fastest_m_s[level], pace * strokes.speed_m_s[level] * _quickness(placed))
+    pace, quickness = float(rng.uniform(*strokes.variety)), _quickness(placed)
+    most_m_s = min(quickness * strokes.fastest_m_s[level], max(strokes.fastest_m_s))
+    wanted_m_s = min(most_m_s, pace * quickness * strokes.speed_m_s[level])
     way_m, fastest_m_s = _stroke_m(placed)
     if not wanted_m_s or clip.category in strokes.unhurried or way_m < _SHORTEST_M or _to_and_fro(clip):
         return placed
     stroke_s = clip.markers.stroke_end - clip.markers.stroke_start
-    share = max(way_m / stroke_s / wanted_m_s, max(_LEAST_S, strokes.shortest_s / pace) / stroke_s)
-    share = max(share, fastest_m_s / strokes.fastest_m_s[level])
+    shortest_s = _shortest_s(strokes, pace, placed.request.manner.speed)
+    share = max(way_m / stroke_s / wanted_m_s, shortest_s / stroke_s, fastest_m_s / most_m_s)
     share = max(share, _CAREFUL) if _is_close(placed) else share
     return placed if share >= 1 else replace(placed, clip=quickened(clip, share))
 
@@ -87,6 +90,12 @@ def _quickness(placed: PlacedGesture) -> float:
     that the gesture has from it already, so that differences between voices remain visible after quickening."""
     manner = placed.request.manner
     return float(np.sqrt(max(manner.tension, _LEAST_TENSION))) * manner.amplitude * manner.speed
+
+
+def _shortest_s(strokes: Strokes, pace: float, speed: float) -> float:
+    """The shortest stroke at a pace: a slow voice has even its short strokes slow, a fast one may hurry them, though
+    not beyond what a hand can."""
+    return max(_LEAST_S / min(speed, 1.0), strokes.shortest_s / (pace * speed))
 
 
 def _stroke_m(placed: PlacedGesture) -> tuple[float, float]:
@@ -126,7 +135,7 @@ def wound_up(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
     draws back before it strikes, the farther the bigger the voice makes the gesture."""
     clip = placed.clip
     ends_m = {side: stroke_end_m(placed, side) for side in placed.arms}
-    free = not placed.placed_by_words and max(end_m[1] for end_m in ends_m.values()) <= _HIGHEST_M
+    free = _is_free(placed) and max(end_m[1] for end_m in ends_m.values()) <= _HIGHEST_M
     way_m = max(distance_m(stroke_start_m(placed, side), end_m) for side, end_m in ends_m.items())
     level = _LEVELS.index(clip.level)
     stroke_s = clip.markers.stroke_end - clip.markers.stroke_start
@@ -150,6 +159,12 @@ def wound_up(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
         for key in clip.keys
     )
     return replace(placed, clip=replace(clip, keys=keys))
+
+
+def _is_free(placed: PlacedGesture) -> bool:
+    """Whether it is open from where a stroke comes: also one that points, if nobody says at what."""
+    pointing_ahead = placed.clip.aimed and placed.aim_m is None
+    return not placed.placed_by_words or (pointing_ahead and not placed.request.slots and not placed.request.way)
 
 
 def _more(amplitude: float) -> float:

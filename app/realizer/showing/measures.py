@@ -10,7 +10,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from ...model import FloatArray, Hand
+from ...model import FloatArray, Hand, Manner
 from ...model.slots import Side, Slots
 from ..body.skeleton import HIPS_HEIGHT_M
 from ..gestures.gesture import (
@@ -30,6 +30,7 @@ from ..gestures.gesture import (
     Thumb,
     Wrist,
 )
+from ..gestures.gesture_plan import USUAL_MANNER
 from ..gestures.gesture_space import sector_m
 
 Point = tuple[float, float, float]
@@ -48,6 +49,9 @@ _LOWEST_M, _HIGHEST_M = -0.06, 0.96
 """The wrist's height, of a hand beside the thigh and of one stretched up."""
 _MOST_M_S = 1.0
 """The fastest mean speed of a stroke to a place."""
+_NEAREST_M: FloatArray = np.array([0.02, -0.02, 0.19])
+_NEAREST_M.setflags(write=False)
+"""A hand that draws back stays on its side, above the hips and in front of the body."""
 _STROKE_M = 0.16
 """The way of the stroke to a height."""
 _HEIGHTS_M = (-0.1, 0.25, 0.60, 0.95)
@@ -174,9 +178,9 @@ _STRETCHED_M: FloatArray = np.array([0.17, 0.43, 0.56])
 """Farther from the shoulder of an arm at rest than it is long: the shoulder goes forward with the arm."""
 
 
-def placed_aside(clip: Clip, side: Side, amplitude: float) -> Clip:
+def placed_aside(clip: Clip, side: Side, amplitude: float, manner: Manner = USUAL_MANNER) -> Clip:
     """The clip of one hand with its stroke ending on that side of the body: far enough aside that what is put on the
-    one side and what on the other are apart."""
+    one side and what on the other are apart. It comes from as far as the `manner` has it."""
     own = (clip.hand is Hand.LEFT) == (side is Side.LEFT)
     if side not in (Side.LEFT, Side.RIGHT):
         return clip
@@ -188,18 +192,24 @@ def placed_aside(clip: Clip, side: Side, amplitude: float) -> Clip:
     keys = _at_the_end(clip, lambda arm: _moved(arm, aside, amplitude))
     moved = replace(clip, keys=keys)
     ends_m = _ends_m(moved, amplitude)
-    return begun_in_time(moved, ends_m, amplitude)
+    return begun_in_time(moved, ends_m, amplitude, manner)
 
 
-def begun_in_time(clip: Clip, ends_m: Mapping[Hand, FloatArray], amplitude: float) -> Clip:
-    """The clip with its stroke begun as near to where it ends, `ends_m` by arm, as it must be not to be too fast."""
-    most_m = _MOST_M_S * (clip.markers.stroke_end - clip.markers.stroke_start)
+def begun_in_time(
+    clip: Clip, ends_m: Mapping[Hand, FloatArray], amplitude: float, manner: Manner = USUAL_MANNER
+) -> Clip:
+    """The clip with its stroke begun as near to where it ends, `ends_m` by arm, as it must be not to be too fast. Where
+    the end is as the words say, a bigger voice has the hand come from as much farther, and a smaller one from nearer:
+    the `manner` in which the clip is already but for its size."""
+    most_m = _MOST_M_S * manner.speed * (clip.markers.stroke_end - clip.markers.stroke_start)
+
+    def begun(point_m: FloatArray, end_m: FloatArray) -> FloatArray:
+        from_m = end_m + manner.amplitude * _at_most(point_m - end_m, most_m)
+        return np.maximum(from_m, np.minimum(point_m, _NEAREST_M)) if manner.amplitude > 1 else from_m
 
     def nearer(arm: ArmKey | None, side: Hand) -> ArmKey | None:
         end_m = ends_m.get(side)
-        if end_m is None:
-            return arm
-        return _moved(arm, lambda point_m: end_m + _at_most(point_m - end_m, most_m), amplitude)
+        return arm if end_m is None else _moved(arm, lambda point_m: begun(point_m, end_m), amplitude)
 
     begins = clip.markers.ready, clip.markers.stroke_end
     keys = tuple(

@@ -38,6 +38,7 @@ _MOMENT_S = 0.001
 _HIGH_M = 1.25
 """Above the elbow, where a palm that shows a height comes from below."""
 _ACROSS_DEG = 15.0
+_HARDLY_FARTHER = 1.2
 _LONG_M = 0.4
 """From here on a size is shown by hands that part, below by hands that meet."""
 
@@ -81,22 +82,41 @@ def as_shown(request: GestureRequest, nearest: Callable[[str], str | None]) -> G
 
 
 def showing(placed: PlacedGesture, aims_m: Mapping[str, Position]) -> PlacedGesture:
-    """The gesture with the height, size, number or place that its slots say, or with the places of its script."""
+    """The gesture with the height, size, number or place that its slots say, or with the places of its script. What is
+    measured, pointed at or put somewhere is as big as the words have it, in any voice: from how far the hand comes is
+    the voice's."""
     request = placed.request
     slots = request.slots
     if slots is None:
         return led(placed)
     clip = measuring(placed.clip, slots)
     if clip is not placed.clip:
-        return replace(placed, clip=clip, request=replace(request, size=1.0, scale=1.0))
+        return _coming(replace(placed, clip=clip, request=replace(request, size=1.0, scale=1.0)))
     if slots.count is not None and clip.category in COUNTING:
         return replace(placed, clip=counting(clip, slots.count))
     aim_m = aims_m.get(request.behavior)
     if aim_m is not None and clip.aimed:
-        return _pointing(placed, slots, aim_m)
+        return _pointing(_in_usual_size(placed), slots, aim_m)
     if slots.side is not None and clip.hand is not Hand.BOTH and not clip.aimed:
-        return replace(placed, clip=placed_aside(clip, slots.side, amplitude(placed)))
+        usual = _in_usual_size(placed)
+        return replace(usual, clip=placed_aside(clip, slots.side, amplitude(usual), request.manner))
     return placed
+
+
+def _in_usual_size(placed: PlacedGesture) -> PlacedGesture:
+    """The gesture as big as it is in a usual voice."""
+    request = placed.request
+    return replace(placed, request=replace(request, size=request.size / request.manner.amplitude))
+
+
+def _coming(placed: PlacedGesture) -> PlacedGesture:
+    """The gesture that measures something, with hands that come from as far as the voice has it; two hands hardly
+    farther than usual, for those that open wide before show something wide."""
+    manner, size = placed.request.manner, amplitude(placed)
+    if placed.clip.hand is Hand.BOTH:
+        manner = replace(manner, amplitude=min(manner.amplitude, _HARDLY_FARTHER))
+    ends_m = {side: stroke_end_m(placed, side) for side in placed.arms}
+    return replace(placed, clip=begun_in_time(placed.clip, ends_m, size, manner))
 
 
 def _pointing(placed: PlacedGesture, slots: Slots, aim_m: Position) -> PlacedGesture:
@@ -106,7 +126,7 @@ def _pointing(placed: PlacedGesture, slots: Slots, aim_m: Position) -> PlacedGes
     clip = stretched(placed.clip, amplitude(placed)) if far else placed.clip
     aimed = replace(placed, clip=clip, aim_m=aim_m, aimed_from_s=clip.markers.stroke_start + _MOMENT_S)
     ends_m = {side: stroke_end_m(aimed, side) for side in aimed.arms}
-    return replace(aimed, clip=begun_in_time(clip, ends_m, amplitude(placed)))
+    return replace(aimed, clip=begun_in_time(clip, ends_m, amplitude(placed), placed.request.manner))
 
 
 def _is_across(placed: PlacedGesture, aim_m: Position) -> bool:
