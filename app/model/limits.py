@@ -26,7 +26,7 @@ from .voice.speech import Level
 USUAL_AMOUNT = 0.5
 """The amount of a gesture of usual size."""
 TOP_STROKE_SPEED_M_S = 1.3
-"""The fastest mean speed of a stroke: its peak is about 1.9 times that, 2.5 m/s, which people's wrists seldom exceed
+"""The fastest mean speed of a stroke: its peak is about 1.9 times that, 2.5 m/s, which people's wrists rarely exceed
 (99th percentile 1.8 to 2.9). Less would make a big voice's gestures as small as a usual one's."""
 SLOWEST_STROKE_M_S = 0.25
 """The speed assumed for strokes of the wrist or the fingers alone, in which the hand does not travel."""

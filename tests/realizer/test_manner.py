@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from understudy.model import Behavior, Channel, Hand, Level, Manner, Schedule, SyncPoints
+from understudy.model import Behavior, Channel, FloatArray, Hand, Level, Manner, Schedule, SyncPoints
 from understudy.model.slots import Distance, Side, Size, Slots
 from understudy.models import load_realizer
 from understudy.realizer.body.skeleton import forward
@@ -27,7 +27,7 @@ def realizer() -> Realizer:
     return load_realizer()
 
 
-def stroke(realizer: Realizer, gesture: Behavior, seed: int = 0) -> tuple[float, float, np.ndarray]:
+def stroke(realizer: Realizer, gesture: Behavior, seed: int = 0) -> tuple[float, float, FloatArray]:
     """The path of the right wrist in a stroke, m, its peak speed, m/s, and where it ends, m, all from the hips."""
     schedule = Schedule((gesture,), 4.0, agitation=Level.MEDIUM)
     motion = realize(realizer, schedule, seed=seed)
