@@ -69,7 +69,7 @@ def test_way_up_there_is_pointed_at_upwards(shown: Callable[[str], list[Shown]])
 
 def test_a_child_is_low_and_who_is_taller_is_above_the_own_crown(shown: Callable[[str], list[Shown]]) -> None:
     child = [each for each in shown("He was only this tall when he was a little boy.") if each.slots.height_m]
-    taller = [each for each in shown("And now you are taller than me!") if each.slots.height_m]
+    taller = [each for each in shown("My son is taller than I am.") if each.slots.height_m]
     assert child[-1].joint_m("rightHand")[1] < 1.2
     assert taller[-1].joint_m("rightHand")[1] > CROWN_M
 
