@@ -5,8 +5,8 @@
 CASES are those of `training/acting/held_out.py`: lines that the reader was not trained on, by their words alone and as
 they were heard; those of them count that two directors read. As in score.py, what both name is asked for, and what
 either names is right. Movements are to be made rather than missed. Those that say something of their own, a shake, a
-smile or a frown, say the contrary of what is meant where they are wrong: they are made where their F is best, if they
-are right often enough and, of faces, no more are made than either director has. Prints, for each kind and way of giving
+smile or a frown, say the contrary of what is meant where they are wrong: they are made where their F is best (for a
+shake one that weighs what is missed), if they are right often enough and, of faces, no more are made than either director has. Prints, for each kind and way of giving
 a line, how many stretches of lines have it and how many of them get it, and how many of those that get it have it; and
 writes the thresholds among the weights.
 """
@@ -49,8 +49,8 @@ BETA = 3.0
 """How much more it matters that a movement is made than that a director wants it."""
 
 TONED_BETA = {"shake": 2.0}
-"""The same of a movement that says something of its own; 1 where it isn't named. A denial without its shake is missed by
-everybody, and shakes are right more often than faces."""
+"""The same of a movement that says something of its own; 1 where it is not named. A denial without its shake is missed
+by everybody, and shakes are right more often than faces."""
 
 LEAST_RIGHT = {
     "shake": 0.8,
