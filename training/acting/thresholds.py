@@ -6,9 +6,9 @@ CASES are those of `training/acting/held_out.py`: lines that the reader was not 
 they were heard; those of them count that two directors read. As in score.py, what both name is asked for, and what
 either names is right. Movements are to be made rather than missed. Those that say something of their own, a shake, a
 smile or a frown, say the contrary of what is meant where they are wrong: they are made where their F is best (for a
-shake one that weighs what is missed), if they are right often enough and, of faces, no more are made than either director has. Prints, for each kind and way of giving
-a line, how many stretches of lines have it and how many of them get it, and how many of those that get it have it; and
-writes the thresholds among the weights.
+shake one that weighs what is missed), if they are right often enough and, of faces, no more are made than either
+director has. Prints, for each kind and way of giving a line, how many stretches of lines have it and how many of them
+get it, and how many of those that get it have it; and writes the thresholds among the weights.
 """
 
 import argparse
