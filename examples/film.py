@@ -15,7 +15,7 @@ from PIL import Image, ImageDraw, ImageFont
 import understudy
 from understudy.realizer.body.motion import Motion
 from understudy.realizer.body.skeleton import Skeleton
-from understudy.realizer.mannequin.mannequin import Mannequin
+from understudy.realizer.mannequin.skinning import Mannequin
 from understudy.realizer.pictures.contact_sheet import Still, cell
 from understudy.realizer.pictures.rasterizer import Camera
 

@@ -11,7 +11,7 @@ from ..studio.pages import OpenedLine, page_router
 from ..studio.scenes import OpenedScene
 from ..version import __version__
 from . import authoring
-from .admission.admission import Admission, guard
+from .admission.access import Admission, guard
 from .admission.headers import let_in_pages
 from .admission.rates import Rates
 from .bodies import Uploads

@@ -13,7 +13,7 @@ from errno import EADDRNOTAVAIL, EAFNOSUPPORT
 from pathlib import Path
 from typing import Any
 
-from ..api.admission.admission import Admission, require_keys
+from ..api.admission.access import Admission, require_keys
 from ..api.application import create_app
 from ..api.serving import serve
 from ..api.workers.processes import Nursery

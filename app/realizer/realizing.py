@@ -24,8 +24,8 @@ from .body.skeleton import Skeleton
 from .dynamics.calming import calm_arms, calm_head
 from .dynamics.take_ends import ease_ends, eased_at_the_ends
 from .exporting.retargeting import Rig, find_rig, load_rigs
+from .face.blendshapes import face_weights
 from .face.expressions import realized_faces, unknown_faces
-from .face.face import face_weights
 from .face.face_tables import FaceTables
 from .gestures.gesture_plan import GesturePlan, Position
 from .gestures.library import Library

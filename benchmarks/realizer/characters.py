@@ -33,7 +33,7 @@ from understudy.realizer.body.limits import violations
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.gestures.gesture_space import sector_m
 from understudy.realizer.gestures.library import clip
-from understudy.realizer.mannequin.mannequin import Mannequin
+from understudy.realizer.mannequin.skinning import Mannequin
 from understudy.realizer.realizing import RealizedCharacter
 
 EXTREMES: Mapping[str, Physique] = {

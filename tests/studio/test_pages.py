@@ -11,7 +11,7 @@ from fastapi import FastAPI
 from fastapi.testclient import TestClient
 from starlette.datastructures import Headers
 
-from understudy.api.admission.admission import Admission, Arrival
+from understudy.api.admission.access import Admission, Arrival
 from understudy.settings import Settings
 from understudy.studio import pages
 from understudy.studio.pages import OpenedLine, content_policy, page_router

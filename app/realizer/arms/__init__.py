@@ -1,3 +1,3 @@
 """Arms: symbolic poses converted to joint rotations by inverse kinematics, rest poses, tracks of key poses over time,
 and collision avoidance. Imports `geometry`, `body` and `gestures`. Begin with `posing.py` for single poses and
-`arms.py` for motion."""
+`interpolation.py` for motion."""

@@ -19,7 +19,7 @@ from ..body.skeleton import Skeleton
 from ..geometry.rotations import from_rotation_vector, multiply, slerp
 from ..gestures.gesture import ArmKey, ClipKey, Expressivity, FrameType, KeyCurve
 from ..gestures.gesture_plan import ArmGesture, ArmRest, GesturePlan, Position, Repeat
-from .arms import ArmTrack, TimedPose
+from .interpolation import ArmTrack, TimedPose
 from .posing import HAND_ROWS, PartialPose, pose_arms
 from .rest_poses import BEHIND_BACK, LIFTED, rest_pose
 from .wrist_paths import amplitude, arm_key

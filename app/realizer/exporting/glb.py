@@ -16,7 +16,7 @@ from ..body.skeleton import Skeleton
 from ..mannequin.carrying import t_pose_m
 from ..mannequin.face import FACE_SHAPES
 from ..mannequin.looks import MATERIALS, Colour
-from ..mannequin.mannequin import Mannequin, MeshPart, joined
+from ..mannequin.skinning import Mannequin, MeshPart, joined
 from .animations import Layer, NodeTrack, animations, joint_track
 from .gltf import Accessors, Json, joint_nodes, to_glb_bytes
 

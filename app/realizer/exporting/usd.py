@@ -30,7 +30,7 @@ from ..body.skeleton import Skeleton
 from ..geometry.rotations import with_continuous_signs
 from ..mannequin.carrying import t_pose_m
 from ..mannequin.looks import Colour
-from ..mannequin.mannequin import INFLUENCES, Mannequin, MeshPart, joined
+from ..mannequin.skinning import INFLUENCES, Mannequin, MeshPart, joined
 from .animations import events_json, marker
 
 ROOT = "/Understudy"

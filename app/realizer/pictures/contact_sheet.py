@@ -20,7 +20,7 @@ from ..arms.rest_poses import rest_pose
 from ..body.motion import SHAPES, Motion
 from ..body.skeleton import Skeleton, arm_joints, forward
 from ..geometry.rotations import IDENTITY, rotate
-from ..mannequin.mannequin import Mannequin, posed
+from ..mannequin.skinning import Mannequin, posed
 from .rasterizer import Camera, ColouredMesh, draw, joined
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ import numpy as np
 
 from ...model import Behavior, Channel, FloatArray, Hand, Level, Schedule, SyncPoints
 from ..arms.arm_keys import arm_track
-from ..arms.arms import ArmTrack, TimedPose, arm_motion
+from ..arms.interpolation import ArmTrack, TimedPose, arm_motion
 from ..arms.posing import PartialPose, pose_arm
 from ..arms.rest_poses import rest_pose
 from ..body.motion import BodyMotion

@@ -23,7 +23,7 @@ import numpy as np
 
 from ...model import FloatArray, Hand
 from ..arms.arm_keys import arm_track
-from ..arms.arms import set_arms
+from ..arms.interpolation import set_arms
 from ..body.limits import MIRROR
 from ..body.motion import BodyMotion
 from ..body.movement_style import StrokeLife

@@ -34,7 +34,7 @@ from ..gestures.gesture_plan import (
 )
 from ..head_and_gaze.gaze_targets import unknown_target, with_target
 from ..showing.directions import aims_m
-from ..showing.showing import as_shown, finger_first, showing, shown_decisions
+from ..showing.slot_clips import as_shown, finger_first, showing, shown_decisions
 from .arm_timelines import ArmTimeline, arm_timeline, rest_changes, units_of
 from .pruning import KeptGestures, admit, obstacle
 from .repetition import is_held_long, let_go_in_time, repeats_until_s, told_repeats, with_beats, with_repeats

@@ -26,7 +26,7 @@ from understudy.acoustic.alignment.aligner import Aligner
 from understudy.behavior.speech import visemes
 from understudy.files import resource_folder
 from understudy.model import Interval, Schedule, Word
-from understudy.realizer.face.face import face_weights
+from understudy.realizer.face.blendshapes import face_weights
 from understudy.realizer.face.face_tables import FaceTables
 
 CLOSED_IN = {"pcl": "P", "bcl": "B", "m": "M", "em": "M", "f": "F", "v": "V"}

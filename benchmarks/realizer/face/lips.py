@@ -31,7 +31,7 @@ from understudy.model import FRAME_SHIFT_S, FloatArray, Line, Schedule, Viseme, 
 from understudy.models import Understudy
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton
-from understudy.realizer.face.face import face_weights
+from understudy.realizer.face.blendshapes import face_weights
 from understudy.realizer.face.face_tables import FaceTables
 from understudy.realizer.geometry.rotations import IDENTITY
 from understudy.settings import Settings

@@ -20,7 +20,7 @@ import numpy as np
 from understudy.files import resource_folder
 from understudy.model import FloatArray, Hand, Level
 from understudy.realizer.arms.arm_reach import ArmBones
-from understudy.realizer.arms.arms import ArmTrack, TimedPose, arm_motion
+from understudy.realizer.arms.interpolation import ArmTrack, TimedPose, arm_motion
 from understudy.realizer.arms.posing import pose_arm, wrist_of
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.skeleton import Skeleton

@@ -19,7 +19,7 @@ from understudy.realizer.body.motion import SHAPES
 from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.geometry.rotations import rotate
 from understudy.realizer.gestures.gesture import Clip, HandForm
-from understudy.realizer.mannequin.mannequin import Mannequin, posed
+from understudy.realizer.mannequin.skinning import Mannequin, posed
 from understudy.realizer.pictures.contact_sheet import (
     BACKGROUND,
     BODY_HEIGHT,

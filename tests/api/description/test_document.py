@@ -12,7 +12,7 @@ from fastapi.routing import APIRoute
 
 from tests.support.motion.hand_made_motion import BODY, waving
 from understudy.api import authoring
-from understudy.api.admission.admission import PROBES
+from understudy.api.admission.access import PROBES
 from understudy.api.description.document import describe
 from understudy.api.description.operations import AUTHORING_OPERATIONS, LIVE_MESSAGES, OPERATIONS
 from understudy.api.problems import CODES, Problem

@@ -8,7 +8,7 @@ import pytest
 from tests.support.motion.gesture_clips import clip, gesture, library, place
 from understudy.model import Behavior, Hand, Schedule
 from understudy.realizer.arms.arm_keys import HOLD_NOISE, arm_track
-from understudy.realizer.arms.arms import TimedPose
+from understudy.realizer.arms.interpolation import TimedPose
 from understudy.realizer.arms.posing import pose_arm, wrist_of
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.skeleton import Skeleton

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from understudy.model import FloatArray, Hand
-from understudy.realizer.arms.arms import ArmTrack, TimedPose, arm_motion
 from understudy.realizer.arms.collisions import Collisions, Intrusion, depths_where_near_m, resolve_collisions
+from understudy.realizer.arms.interpolation import ArmTrack, TimedPose, arm_motion
 from understudy.realizer.arms.posing import PartialPose, pose_arm
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.contacts import depths_m, penetrations_m

@@ -18,7 +18,7 @@ from understudy.model.formats import AudioFile
 from understudy.realizer.body.motion import SHAPES, Motion
 from understudy.realizer.body.skeleton import forward
 from understudy.realizer.exporting.usd import ROOT, UsdForm, to_usd
-from understudy.realizer.mannequin.mannequin import Mannequin, joined, posed
+from understudy.realizer.mannequin.skinning import Mannequin, joined, posed
 
 MOTION = waving(0.5, 60)
 FRAME = 20

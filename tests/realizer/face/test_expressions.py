@@ -8,8 +8,8 @@ import pytest
 from tests.support.words.speaking import SKELETON, TABLES, faced, shape, shown, still, times
 from understudy.model import Channel, Schedule, SyncPoints
 from understudy.model.tables import ACTION_UNITS, CORE_LEXEMES
+from understudy.realizer.face.blendshapes import ASYMMETRY, face_weights
 from understudy.realizer.face.expressions import LEAST_RISE_S, realized_faces, unknown_faces
-from understudy.realizer.face.face import ASYMMETRY, face_weights
 from understudy.realizer.face.face_tables import INDEX
 
 FASTEST_PER_S = 1.875 / LEAST_RISE_S

@@ -9,7 +9,7 @@ from benchmarks.realizer.face.lip_closure import SHUT, lip_closures, lip_opening
 from tests.support.words.speaking import SKELETON, START_S, TABLES, faced, middle_s, said, shape, still, times
 from understudy.behavior.speech import visemes
 from understudy.model import FloatArray, Interval, Phone, Schedule, Viseme, Word
-from understudy.realizer.face.face import face_weights
+from understudy.realizer.face.blendshapes import face_weights
 from understudy.realizer.face.face_tables import INDEX, VISEMES, Dominance
 from understudy.realizer.face.lips import (
     GLIDES,

@@ -1,1 +1,1 @@
-"""The mannequin's surfaces and face: `app/realizer/mannequin`. Begin with `test_mannequin.py`."""
+"""The mannequin's surfaces and face: `app/realizer/mannequin`. Begin with `test_skinning.py`."""

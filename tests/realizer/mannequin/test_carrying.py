@@ -9,7 +9,7 @@ from understudy.realizer.body.contacts import build_of
 from understudy.realizer.body.proportions import Proportions
 from understudy.realizer.body.skeleton import Skeleton
 from understudy.realizer.mannequin.carrying import on_head, t_pose_m
-from understudy.realizer.mannequin.mannequin import Mannequin
+from understudy.realizer.mannequin.skinning import Mannequin
 
 BROAD = Skeleton.standing(Proportions(Physique(Sex.FEMALE, 42, 1.62, 1.3, 1.05, 1.1)))
 AVERAGE = Skeleton.standing()

@@ -8,7 +8,7 @@ from understudy.behavior.speech import visemes
 from understudy.model import Behavior, Channel, FloatArray, Interval, Phone, Schedule, SyncPoints, Viseme, Word
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton
-from understudy.realizer.face.face import face_weights
+from understudy.realizer.face.blendshapes import face_weights
 from understudy.realizer.face.face_tables import INDEX, FaceTables
 from understudy.realizer.geometry.rotations import IDENTITY
 

@@ -12,7 +12,7 @@ from tests.support.examples import examples
 from tests.support.words.speaking import SKELETON, TABLES, faced, middle_s, said, shape, shown, still, times
 from understudy.model import Behavior, FloatArray, Interval, Schedule, SyncPoints, Viseme
 from understudy.realizer.body.motion import SHAPES
-from understudy.realizer.face.face import face_weights
+from understudy.realizer.face.blendshapes import face_weights
 from understudy.realizer.face.face_tables import INDEX, VISEMES
 from understudy.realizer.geometry.rotations import from_axis_angle
 

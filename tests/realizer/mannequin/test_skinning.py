@@ -11,7 +11,7 @@ from understudy.realizer.geometry.rotations import IDENTITY, from_axis_angle
 from understudy.realizer.mannequin.carrying import t_pose_m
 from understudy.realizer.mannequin.eyes import BALL_M
 from understudy.realizer.mannequin.face import MOUTH_HALF_M
-from understudy.realizer.mannequin.mannequin import Mannequin, posed
+from understudy.realizer.mannequin.skinning import Mannequin, posed
 
 BODY = Skeleton.standing()
 HIPS = np.array([0.0, HIPS_HEIGHT_M, 0.0])

@@ -9,7 +9,7 @@ from fastapi.testclient import TestClient
 from pydantic import SecretStr
 from starlette.testclient import WebSocketDenialResponse
 
-from understudy.api.admission.admission import Admission, guard, require_keys
+from understudy.api.admission.access import Admission, guard, require_keys
 from understudy.api.admission.headers import let_in_pages
 from understudy.api.admission.rates import WRONG_A_MINUTE
 from understudy.api.description import page

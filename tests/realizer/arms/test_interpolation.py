@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from understudy.model import FloatArray, Hand
-from understudy.realizer.arms.arms import FOLLOW_THROUGH_S, ArmTrack, TimedPose, arm_motion
+from understudy.realizer.arms.interpolation import FOLLOW_THROUGH_S, ArmTrack, TimedPose, arm_motion
 from understudy.realizer.arms.posing import PartialPose, arm_rotations, pose_arm, wrist_of
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.skeleton import PARTS, Skeleton
