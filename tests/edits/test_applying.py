@@ -121,9 +121,9 @@ def test_a_gesture_is_moved_with_all_its_marks(understudy: Understudy, performan
 
 
 def test_marks_go_with_their_words(understudy: Understudy, analysis: Analysis, performance: Performance) -> None:
-    """In a recording that is spoken half as fast the stroke is as long after its word as the author wanted; the last
-    gesture is made in both."""
-    gesture = _gestures(performance)[-1]
+    """In a recording that is spoken half as fast the stroke is as long after its word as the author wanted; the
+    first gesture is made in both."""
+    gesture = _gestures(performance)[0]
     place = place_of((gesture.sync.stroke or 0) + 0.1, gesture, performance)
     edits = Edits(behaviors=(BehaviorEdit(of=reference_to(gesture, performance), marks=Marks(stroke=place)),))
     slow = tuple(_slower(word) for word in analysis.utterance.words)
