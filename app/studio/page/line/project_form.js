@@ -73,7 +73,7 @@ function options(store, service) {
   void fillCharacters(character, store, service);
   const seed = el("input", { type: "number", step: 1, value: 0, id: "seed" });
   seed.addEventListener("change", () => setOption(store, "seed", Number(seed.value)));
-  const hint = "How much less everything moves that is not told by the words: at the left as usual, at the right hardly at all";
+  const hint = "Reduces all movement that the words do not ask for: on the left none of it, on the right nearly all";
   const stillness = el("input", { type: "range", min: 0, max: 1, step: 0.05, value: 0, id: "stillness", title: hint });
   stillness.addEventListener("change", () => setOption(store, "stillness", Number(stillness.value)));
   const [profile, examples] = profileField(store);
