@@ -1,4 +1,4 @@
-"""Finds the data files that ship with the code, and replaces files atomically.
+"""Finds the data files that ship with the code, reads files that authors write, and replaces files atomically.
 
 In a checkout the data files are beside the package, in a wheel inside it. While a file is replaced, readers see either
 its old content or the new, and a killed process leaves the old one.
@@ -8,7 +8,7 @@ import os
 import shutil
 from pathlib import Path
 
-from .errors import ServiceError
+from .errors import Mistake, ServiceError
 
 _PACKAGE = Path(__file__).resolve().parent
 
@@ -27,6 +27,16 @@ def resource_folder(name: str) -> Path:
     raise ServiceError(
         "installation_incomplete", f"the folder {name!r} is missing beside {_PACKAGE}; reinstall understudy"
     )
+
+
+def read_source(path: Path) -> str | Mistake:
+    """The text of a file that an author writes, or why there is none."""
+    try:
+        return path.read_text(encoding="utf-8-sig")
+    except OSError as error:
+        return Mistake(path, 1, 1, f"cannot be read: {error.strerror}")
+    except UnicodeDecodeError as error:
+        return Mistake(path, 1, 1, f"not UTF-8 text at byte {error.start}")
 
 
 def replace_file(target: Path, content: bytes, *, unfinished: Path | None = None) -> None:

@@ -24,29 +24,16 @@ from typing import Any, TypeAlias
 
 from benchmarks.behavior.directing import gestures_of, load_score, others_of
 from training.acting.directed import DirectedLine, is_held_out, read_lines
+from training.acting.held_out import timed
 from training.acting.second_readings import second_readings
 from understudy.behavior.reading.encoder import Encoder
 from understudy.library.language import find_functions
-from understudy.model import Analysis, Interval
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform_analysis
 from understudy.settings import Settings
 
-WORD_S, CHARACTER_S, PAUSE_S, SILENCE_S = 0.12, 0.045, 0.25, 0.2
-"""What a word takes, each of its characters, a pause at punctuation, and the silence at both ends."""
-
 DRAWN_EVERY = 6
-
-
-def timed(analysis: Analysis) -> Analysis:
-    """The analysis of words alone, with usual times."""
-    words, now_s = [], SILENCE_S
-    for word in analysis.utterance.words:
-        end_s = now_s + WORD_S + CHARACTER_S * len(word.text)
-        words.append(replace(word, interval=Interval(now_s, end_s)))
-        now_s = end_s + (PAUSE_S if word.text[-1] in ",.;:!?" else 0.0)
-    return replace(analysis, utterance=replace(analysis.utterance, words=tuple(words), duration_s=now_s + SILENCE_S))
 
 
 Readings: TypeAlias = Mapping[tuple[str, tuple[str, ...]], Sequence[DirectedLine]]

@@ -14,6 +14,7 @@ from types import MappingProxyType
 from lark import Lark, Token, Tree, UnexpectedInput, UnexpectedToken
 
 from ...errors import Mistake, nearest_names
+from ...files import read_source
 from .statements import (
     OTHER,
     FrameTree,
@@ -65,12 +66,9 @@ OF_AN_ARM = frozenset({"ARM", "HAND", "FINGER", "WRIST", "SHOULDER", "JOINT"})
 
 def read_gestures(path: Path) -> tuple[GestureFile, tuple[Mistake, ...]]:
     """The parsed file at `path`, as far as it is readable, and its syntax mistakes."""
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except OSError as error:
-        return GestureFile(path), (Mistake(path, 1, 1, f"cannot be read: {error.strerror}"),)
-    except UnicodeDecodeError as error:
-        return GestureFile(path), (Mistake(path, 1, 1, f"not UTF-8 text at byte {error.start}"),)
+    text = read_source(path)
+    if isinstance(text, Mistake):
+        return GestureFile(path), (text,)
     return parse_gestures(text, path)
 
 

@@ -17,6 +17,7 @@ from lark import Lark, Token, Transformer, UnexpectedInput, v_args
 from lark.lark import PostLex
 
 from ...errors import Mistake, shown
+from ...files import read_source
 from .arithmetic import LARGEST
 from .tree import (
     ALWAYS,
@@ -53,12 +54,9 @@ _SIGNS_IN_A_LINE = 60
 
 def read_rules(path: Path) -> tuple[RuleFile, tuple[Mistake, ...]]:
     """The parsed file at `path`, as far as it is readable, and its syntax mistakes in order."""
-    try:
-        text = path.read_text(encoding="utf-8-sig")
-    except OSError as error:
-        return RuleFile(path), (Mistake(path, 1, 1, f"cannot be read: {error.strerror}"),)
-    except UnicodeDecodeError as error:
-        return RuleFile(path), (Mistake(path, 1, 1, f"not UTF-8 text at byte {error.start}"),)
+    text = read_source(path)
+    if isinstance(text, Mistake):
+        return RuleFile(path), (text,)
     return parse_rules(text, path)
 
 
