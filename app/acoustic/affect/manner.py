@@ -26,14 +26,14 @@ SPEED = (0.529, -0.749, 0.123, -0.114)
 IN_SPEECH = ((3.0, 8.0), (0.1, 1.4))
 """What the last two measures are in speech; what is beyond is noise."""
 
-AMPLITUDE_STEP, SPEED_STEP, TENSION_STEP = 0.9, 0.25, 0.5
+AMPLITUDE_STEP, SPEED_STEP, TENSION_STEP = 1.25, 0.25, 0.5
 """The logs of the factors for "larger", "faster" and all that makes tense. A larger stroke is a faster one already, and
 a stroke that would be too fast is made smaller (paper §3.8), so that speed must leave room for size."""
 
 WORD_STEP = 0.1
 """The log of the factor for a word that is 6 dB louder than half of the line's."""
 
-LIMITS = {"amplitude": (0.45, 1.6), "speed": (0.75, 1.3), "tension": (0.6, 1.5)}
+LIMITS = {"amplitude": (0.35, 2.0), "speed": (0.75, 1.3), "tension": (0.6, 1.5)}
 _DOUBLE_DB = 6.0
 _MOST_DOUBLINGS = 1.5
 _LOUD_PERCENT = 90
