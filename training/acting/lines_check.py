@@ -109,7 +109,11 @@ def _problems_of_delivery(record: dict[str, Any], count: int) -> list[str]:
 
 def _records(folder: Path) -> Iterator[dict[str, Any]]:
     for path in sorted(folder.glob("*.jsonl")):
-        yield from (json.loads(line) for line in path.read_text(encoding="utf-8").splitlines() if line.strip())
+        yield from _records_in(path)
+
+
+def _records_in(path: Path) -> Iterator[dict[str, Any]]:
+    return (json.loads(line) for line in path.read_text(encoding="utf-8").splitlines() if line.strip())
 
 
 def _texts(records: Iterable[dict[str, Any]]) -> dict[str, str]:
@@ -121,15 +125,17 @@ def _text(record: dict[str, Any]) -> str:
     return record["text"] if "text" in record else " ".join(word.split(":", 1)[1] for word in record["words"])
 
 
-def _of_further(further: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """The second readings of lines that are not ours, with their words; none where those are not there."""
-    texts = {each["id"]: _text(each) for each in further}
-    return [{**each, "text": texts.get(each["id"], "")} for each in _records(SECOND / "more") if texts]
+def _of_further(records: list[dict[str, Any]], further: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The quick second readings with their words; without the lines of the folder, those of our own lines alone."""
+    texts = {each["id"]: _text(each) for each in [*records, *further]}
+    again = _records(SECOND / "more")
+    return [{**each, "text": texts.get(each["id"], "")} for each in again if further or each["id"] in texts]
 
 
 def _check(beside: Path | None) -> int:
-    records, further = [*_records(OWN), *_records(DELIVERIES)], list(_records(beside / "more")) if beside else []
-    again = [*_records(SECOND), *_records(SECOND / "deliveries"), *_of_further(further)]
+    records = [*_records(OWN), *_records(DELIVERIES)]
+    further = [*_records(beside / "more"), *_records_in(beside / "directed-lines.jsonl")] if beside else []
+    again = [*_records(SECOND), *_records(SECOND / "deliveries"), *_of_further(records, further)]
     complaints = [f"{each['id']}: {problem}" for each in [*records, *again] for problem in problems_of(each)]
     for some in (records, again):
         names = Counter(each["id"] for each in some)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from training.acting.lines_check import doubles_in, problems_of
+from training.acting.lines_check import doubles_in, main, problems_of
 from training.acting.notation import NotationError, records_of
 
 PAGE = """== banter
@@ -55,3 +55,9 @@ def test_a_line_that_is_half_another_is_a_double() -> None:
     known = {"old": "Turn the brass key left until you feel it give way."}
     assert list(doubles_in({"new": "So turn the brass key left until you feel it."}, known))
     assert not list(doubles_in({"new": "Turn the brass lamp off before you go."}, known))
+
+
+def test_all_our_readings_are_sound(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr("sys.argv", ["lines_check", "check"])
+
+    assert main() == 0, capsys.readouterr().out
