@@ -11,6 +11,7 @@ import logging
 import select
 import socket
 import sys
+import time
 from abc import ABC, abstractmethod
 from asyncio.transports import BaseTransport
 from http import HTTPStatus
@@ -45,11 +46,21 @@ READ_BYTES, READ_IN_PARTS_BYTES = 1 << 13, 1 << 11
 be hundreds of tiny ones in it, and all other connections wait until they are parsed."""
 
 
+LONG_PIECE_S, RESTS = 0.0003, 3
+"""After a piece in parts that took longer to parse, in processor time, its connection is not read for so many times as
+long, and for each other that rests as long again: all of them together have a third of the event loop at most."""
+
+
 class _ReadInTurns(asyncio.BufferedProtocol, ABC):
     """A protocol whose data comes in pieces of `read_bytes`."""
 
+    transport: asyncio.Transport
+    loop: asyncio.AbstractEventLoop
+    connections: set[Any]
     read_bytes = READ_IN_PARTS_BYTES
+    is_resting = False
     _buffer: memoryview | None = None
+    _unparsed: tuple[bytes, ...] = ()
 
     def get_buffer(self, sizehint: int) -> memoryview:  # noqa: ARG002 - asyncio's signature
         self._buffer = self._buffer or memoryview(bytearray(READ_BYTES))
@@ -57,7 +68,37 @@ class _ReadInTurns(asyncio.BufferedProtocol, ABC):
 
     def buffer_updated(self, nbytes: int) -> None:
         assert self._buffer is not None, "data was read into it"
-        self.data_received(bytes(self._buffer[:nbytes]))
+        piece = bytes(self._buffer[:nbytes])
+        if self.is_resting:  # uvicorn has made it read again meanwhile
+            self._unparsed += (piece,)
+            self.transport.pause_reading()
+        else:
+            self._parse(piece)
+
+    def _parse(self, piece: bytes) -> None:
+        began_s = time.thread_time()
+        self.data_received(piece)
+        took_s = time.thread_time() - began_s
+        is_over = self.transport.is_closing() or self.transport.get_protocol() is not self
+        if took_s > LONG_PIECE_S and self.read_bytes == READ_IN_PARTS_BYTES and not is_over:
+            others = sum(isinstance(each, _ReadInTurns) and each.is_resting for each in self.connections)
+            self.is_resting = True
+            self.transport.pause_reading()
+            self.loop.call_later((1 + others) * RESTS * took_s, self._go_on)
+
+    def _go_on(self) -> None:
+        self.is_resting = False
+        while self._unparsed and not self.is_resting and not self.transport.is_closing():
+            piece, *rest = self._unparsed
+            self._unparsed = tuple(rest)
+            self._parse(piece)
+        if not (self.is_resting or self.is_paused or self.transport.is_closing()):
+            self.transport.resume_reading()
+
+    @property
+    @abstractmethod
+    def is_paused(self) -> bool:
+        """Whether uvicorn does not want to read, because what was read waits."""
 
     @abstractmethod
     def data_received(self, data: bytes) -> None:
@@ -124,6 +165,10 @@ class LimitedProtocol(H11Protocol, _ReadInTurns):
         if self._checking is not None:
             self._checking.cancel()
         super().connection_lost(exc)
+
+    @property
+    def is_paused(self) -> bool:
+        return self.flow.read_paused
 
     @property
     def _is_in_request(self) -> bool:
@@ -221,6 +266,10 @@ class LimitedWebSocket(WebSocketsSansIOProtocol, _ReadInTurns):
         super().handle_connect(event)
         if not self.close_sent:
             self.scope["extensions"][GONE] = self._gone  # type: ignore[assignment]
+
+    @property
+    def is_paused(self) -> bool:
+        return self.read_paused
 
     def pause_writing(self) -> None:
         self._stuck_since_s = self.loop.time()

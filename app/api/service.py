@@ -3,7 +3,8 @@ stopped when the client has gone.
 """
 
 import asyncio
-from collections.abc import Coroutine
+from collections.abc import AsyncIterator, Coroutine
+from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
@@ -51,13 +52,14 @@ Shared = Annotated[Service, Depends(service_of)]
 
 async def worked(request: Request, service: Service, task: Task) -> Response:
     """The answer of a worker. Raises UnderstudyError, ClientDisconnect."""
-    caller = _admitted(request, service)
-    deadline = Deadline.starting_now(service.settings.deadline_s)
-    content_type = request.headers.get("content-type", "")
+    deadline, content_type = Deadline.starting_now(service.settings.deadline_s), request.headers.get("content-type", "")
     job = Job(task, content_type, request.headers.get("accept"))
     most_bytes = body_limit(task, content_type, service.settings)
     declared = declared_bytes(request.headers)
-    async with service.uploads.body(request.receive, most_bytes=most_bytes, declared_bytes=declared) as body:
+    async with (
+        _admitted(request, service) as caller,
+        service.uploads.body(request.receive, most_bytes=most_bytes, declared_bytes=declared) as body,
+    ):
         answer, content = await _unless_gone(request, service.pool.run(job, body, deadline, caller))
     return Response(bytes(content), media_type=answer.media_type, headers=dict(answer.headers))
 
@@ -65,18 +67,20 @@ async def worked(request: Request, service: Service, task: Task) -> Response:
 async def answered(request: Request, service: Service, job: Job, body: bytes) -> bytes:
     """What a worker answers to a job of the service's own, for a request whose body has been read. Raises as `worked`
     does."""
-    caller = _admitted(request, service)
     deadline = Deadline.starting_now(service.settings.deadline_s)
-    _, content = await _unless_gone(request, service.pool.run(job, bytearray(body), deadline, caller))
+    async with _admitted(request, service) as caller:
+        _, content = await _unless_gone(request, service.pool.run(job, bytearray(body), deadline, caller))
     return bytes(content)
 
 
-def _admitted(request: Request, service: Service) -> Caller:
-    """The caller, for whom there is a place."""
+@asynccontextmanager
+async def _admitted(request: Request, service: Service) -> AsyncIterator[Caller]:
+    """The caller, for whom there is a place; whoever does not wait until there is one is answered later."""
     service.rates.take(request.client.host if request.client else "")
     caller = Caller(caller_of(request), request.headers.get("x-request-id", "")[:64])
-    service.pool.require_place(caller)
-    return caller
+    async with service.pool.refusals.held_back(caller.client):
+        service.pool.require_place(caller)
+        yield caller
 
 
 async def _unless_gone(request: Request, work: Coroutine[Any, Any, Result]) -> Result:

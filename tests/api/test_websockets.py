@@ -26,11 +26,12 @@ MESSAGE = b"x" * 100_000
 
 
 class Application:
-    """Accepts each WebSocket but at /late, and then reads nothing; at /flood it sends without end. `left` counts the
-    connections that were told to be gone."""
+    """Accepts each WebSocket but at /late, and then reads nothing; at /flood it sends without end, at /heard it reads.
+    `left` counts the connections that were told to be gone, `heard` are the messages."""
 
     def __init__(self) -> None:
         self.left = 0
+        self.heard: list[bytes] = []
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         await receive()
@@ -42,6 +43,8 @@ class Application:
         with suppress(OSError):
             while scope["path"] == "/flood":
                 await send({"type": "websocket.send", "bytes": MESSAGE})
+            while scope["path"] == "/heard" and "bytes" in (message := await receive()):
+                self.heard.append(message["bytes"])
             await scope["extensions"][GONE].wait()
         self.left += 1
 
@@ -137,6 +140,19 @@ def test_a_client_that_reads_nothing_is_cut_off() -> None:
         client.sendall(HEAD.replace(b"/live", b"/flood") + b"\r\n")
         until(lambda: application.left == 1)
         until(lambda: not server.server_state.connections)
+
+
+def test_tiny_messages_leave_the_event_loop_to_others_and_none_is_lost() -> None:
+    """A connection is not read for a while after each piece with hundreds of them."""
+    sent = [struct.pack("!H", number) for number in range(20_000)]
+    with served() as (_server, application, connect), connect() as client:
+        client.sendall(HEAD.replace(b"/live", b"/heard") + b"\r\n")
+        assert b"101" in client.recv(4096)
+        began_s, before_s = time.monotonic(), time.process_time()
+        client.sendall(b"".join(b"\x82\x82\0\0\0\0" + each for each in sent))
+        until(lambda: len(application.heard) == len(sent))
+        assert time.monotonic() - began_s > 1.5 * (time.process_time() - before_s)
+    assert application.heard == sent
 
 
 def test_the_query_of_a_web_socket_is_not_logged(caplog: pytest.LogCaptureFixture) -> None:

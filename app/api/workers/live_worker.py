@@ -36,7 +36,7 @@ from ...schemas.live import (
 )
 from ...settings import Settings
 from .families import end_with
-from .limits import ProcessorTimeError, give_way, limit_memory, processor_time, too_large, too_long
+from .limits import Pace, ProcessorTimeError, give_way, limit_memory, processor_time, too_large, too_long
 from .messages import LiveInput, LiveOutput, Ready, receive, send
 
 STEP_S = 0.1
@@ -149,42 +149,40 @@ _FRAME = '{"type":"frame"'
 STARTS_WITH_S, USUAL_SHARE = 5.0, 0.5
 """The processor time that a stream may use at first, and its share afterwards; with frames it uses .15 of a core."""
 
+STREAMS_NICE = 5
+"""Beside a line each of two streams on its core still gets a quarter of it, more than it needs, and fourteen that begin
+at once leave the line a third."""
+
 FASTEST_CLOCK = 1.02
 """A sender whose clock runs no faster is never throttled; the clocks of sound cards are within .005 of true."""
 
 
 def stream(service: socket.socket, models: LiveModels, settings: Settings, turns: int) -> None:
-    """Answers one client until its stream is over. `turns` is a file that all streams share (`processor_time`)."""
+    """Answers one client until its stream is over. `turns` is a file that all streams share (`Pace`)."""
+    os.nice(STREAMS_NICE)
     end_with(service)
     limit_memory(settings.worker_memory_bytes)
     send(service, Ready(os.getpid(), psutil.Process().memory_info().rss))
-    conversation = Conversation(models, settings)
+    conversation, pace = Conversation(models, settings), Pace(turns)
     began_s, spent_s = time.monotonic(), time.process_time()
     while not conversation.ended:
-        before_s = time.process_time()
         try:
             message, content, _ = receive(service)
             assert isinstance(message, LiveInput)
-            _answer(service, conversation, settings, bytes(content), is_text=message.is_text, turns=turns)
+            pace.earn(conversation.heard_s, time.monotonic() - began_s)
+            _answer(service, conversation, settings, bytes(content), is_text=message.is_text, pace=pace)
         except (EOFError, OSError):
             break
-        processor_s, passed_s = time.process_time(), time.monotonic() - began_s
-        if takes_too_much(processor_s - spent_s, passed_s):
+        passed_s = time.monotonic() - began_s
+        if takes_too_much(time.process_time() - spent_s, passed_s):
             give_way()
-        rest_s = rest_after_s(processor_s - before_s, conversation.heard_s, passed_s)
-        time.sleep(max(rest_s, too_soon_s(conversation.heard_s, passed_s, settings.live_ahead_s)))
+        time.sleep(too_soon_s(conversation.heard_s, passed_s, settings.live_ahead_s))
     models.understudy.close()
 
 
 def takes_too_much(processor_s: float, passed_s: float) -> bool:
     """Whether a stream has used more processor time than speech in real time needs, as in an attack."""
     return processor_s > STARTS_WITH_S + USUAL_SHARE * passed_s
-
-
-def rest_after_s(processor_s: float, heard_s: float, passed_s: float) -> float:
-    """How long to rest after a message that took so much processor time: as long again while the sound is ahead of the
-    clock, so that it takes half a core at most. A voice is never ahead."""
-    return processor_s if heard_s > passed_s else 0.0
 
 
 def too_soon_s(heard_s: float, passed_s: float, ahead_s: float) -> float:
@@ -199,13 +197,13 @@ def _answer(
     content: bytes,
     *,
     is_text: bool,
-    turns: int,
+    pace: Pace,
 ) -> None:
     """Sends the answers to a message; a bug is logged and sent as `internal_error`."""
     frames: list[str] = []
     others: list[str] = []
     try:
-        with processor_time(settings.live_message_s, turns=turns):
+        with processor_time(settings.live_message_s, pace):
             for told in conversation.answer(content, is_text=is_text):
                 (frames if told.startswith(_FRAME) else others).append(told)
     except ProcessorTimeError:

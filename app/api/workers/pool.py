@@ -18,7 +18,7 @@ from .limits import Deadline, too_large
 from .messages import Answer, Content, Job, JobFailure
 from .places import Places
 from .processes import Nursery, Worker, WorkerLostError, WorkerState, is_stopped, look, wait_until_gone
-from .turns import Caller, ServiceTimes
+from .turns import Caller, Refusals, ServiceTimes
 
 _LOGGER = logging.getLogger(__name__)
 JOBS_A_WORKER = 1000
@@ -50,6 +50,7 @@ class Pool:
         self._idle: deque[Worker] = deque()
         self._busy: set[Worker] = set()
         self._places = Places[Worker](settings.queue_length)
+        self.refusals = Refusals()
         self._making: set[asyncio.Task[None]] = set()
         self._running: set[asyncio.Task[tuple[Answer, bytearray]]] = set()
         self._retired: set[int] = set()

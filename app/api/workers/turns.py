@@ -1,15 +1,21 @@
 """When refused callers should retry, and who is served first when they do: their place in the queue is kept meanwhile.
+Those who do not wait are made to.
 
 A caller has a turn from its first refusal until it is accepted, and keeps its place if it is refused again. A caller
 that does not return within `KEPT_S` of the time it was given loses it. Turns belong to clients: whoever gives each
 request another name gets many turns, but its second comes after the first of all others.
 """
 
+import asyncio
 import math
 import time
-from collections.abc import Callable
+from collections import deque
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from itertools import count
+
+from ...errors import ServiceError
 
 MOST_CLIENTS, MOST_EACH = 1000, 32
 """Turns are kept of so many clients, and for so many requests of each."""
@@ -88,6 +94,45 @@ class Turns:
             self._kept[client] = kept = {name: turn for name, turn in turns.items() if turn.due_s >= until_s}
             if not kept:
                 del self._kept[client]
+
+
+MOST_PROMPT, WITHIN_S, HELD_S, MOST_HELD = 4, 1.0, 0.5, 64
+"""A client is refused at once so often within a second, and after half a second from then on; so many at a time."""
+
+
+class Refusals:
+    """Holds refusals back from clients that ask again at once, however often they are refused: answering them would
+    take the event loop from all others. Who comes again when told is refused at once. Belongs to an event loop."""
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self._clock = clock
+        self._refused_s: dict[str, deque[float]] = {}
+        self._held = 0
+
+    @asynccontextmanager
+    async def held_back(self, client: str) -> AsyncIterator[None]:
+        """Holds back ServiceError `service_full` of the block, if this client has to wait for it."""
+        try:
+            yield
+        except ServiceError as error:
+            if error.code == "service_full" and self._is_impatient(client) and self._held < MOST_HELD:
+                self._held += 1
+                try:
+                    await asyncio.sleep(HELD_S)
+                finally:
+                    self._held -= 1
+            raise
+
+    def _is_impatient(self, client: str) -> bool:
+        now_s = self._clock()
+        for other, refused_s in list(self._refused_s.items()):
+            if refused_s[-1] < now_s - WITHIN_S:
+                del self._refused_s[other]
+        if client not in self._refused_s and len(self._refused_s) >= MOST_CLIENTS:
+            return False
+        refused_s = self._refused_s.setdefault(client, deque(maxlen=MOST_PROMPT + 1))
+        refused_s.append(now_s)
+        return len(refused_s) > MOST_PROMPT and refused_s[0] >= now_s - WITHIN_S
 
 
 class ServiceTimes:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from understudy.api.workers.live_worker import rest_after_s, takes_too_much, too_soon_s
+from understudy.api.workers.live_worker import takes_too_much, too_soon_s
 
 HOUR_S, AHEAD_S = 3600.0, 10.0
 
@@ -18,11 +18,6 @@ def test_what_was_late_may_come_at_once() -> None:
 
 def test_what_comes_much_too_soon_waits() -> None:
     assert too_soon_s(30.0, 10.0, AHEAD_S) == pytest.approx(9.8)
-
-
-def test_a_stream_rests_while_it_is_ahead_of_the_clock_and_a_voice_never_is() -> None:
-    assert rest_after_s(0.2, heard_s=3.0, passed_s=2.0) == 0.2
-    assert rest_after_s(0.2, heard_s=2.0, passed_s=2.1) == 0.0
 
 
 @pytest.mark.parametrize(
