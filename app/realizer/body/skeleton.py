@@ -155,20 +155,28 @@ def _place(
     which is how they lie in memory, several are reached many times faster."""
     at_m, turned, local = (each.swapaxes(0, -2) for each in (positions, orientations, rotations))
     generations = _generations(skeleton, only)
-    for joints, parents in generations:
-        turned[joints] = multiply(turned[parents], local[joints])
-    joints, parents = (np.concatenate(each) for each in zip(*generations, strict=True))
-    offsets_m = skeleton.offsets_m[joints].reshape(len(joints), *(1,) * (turned.ndim - 2), 3)
-    ways_m, begun = rotate(turned[parents], offsets_m), 0
-    for joints, parents in generations:
-        at_m[joints] = at_m[parents] + ways_m[begun : begun + len(joints)]
+    for joints, parents in generations.each:
+        turned[joints] = multiply(turned.take(parents, axis=0), local.take(joints, axis=0))
+    offsets_m = generations.offsets_m.reshape(-1, *(1,) * (turned.ndim - 2), 3)
+    ways_m, begun = rotate(turned.take(generations.parents, axis=0), offsets_m), 0
+    for joints, parents in generations.each:
+        at_m[joints] = at_m.take(parents, axis=0) + ways_m[begun : begun + len(joints)]
         begun += len(joints)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Generations:
+    """Joints and their parents, grouped by depth in the hierarchy: each group can be computed at once; the parents of
+    all, and the offsets (n, 3) from them, in the same order."""
+
+    each: tuple[tuple[Joints, Joints], ...]
+    parents: Joints
+    offsets_m: FloatArray
+
+
 @lru_cache(maxsize=64)
-def _generations(skeleton: Skeleton, only: frozenset[int] | None) -> list[tuple[Joints, Joints]]:
-    """Joints and their parents, grouped by depth in the hierarchy: each group can be computed at once. Never
-    mutated."""
+def _generations(skeleton: Skeleton, only: frozenset[int] | None) -> _Generations:
+    """Those of these joints. Never mutated."""
     depth = [0] * len(skeleton.parents)
     found: list[tuple[list[int], list[int]]] = []
     for joint, parent in enumerate(skeleton.parents):
@@ -179,7 +187,9 @@ def _generations(skeleton: Skeleton, only: frozenset[int] | None) -> list[tuple[
                 joints, parents = found[depth[joint] - 1]
                 joints.append(joint)
                 parents.append(parent)
-    return [(np.array(joints), np.array(parents)) for joints, parents in found if joints]
+    each = tuple((np.array(joints), np.array(parents)) for joints, parents in found if joints)
+    every, parents_of_all = (np.concatenate(those) for those in zip(*each, strict=True))
+    return _Generations(each, parents_of_all, skeleton.offsets_m[every])
 
 
 @lru_cache(maxsize=64)

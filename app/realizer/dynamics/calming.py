@@ -146,16 +146,15 @@ def _step_s(times_s: FloatArray) -> float:
 
 def _fast(wrists_m: FloatArray, arms: Sequence[FloatArray], step_s: float, fastest: FastestArms) -> NDArray[np.bool_]:
     """Whether each arm is too fast between a frame and the next (2, T)."""
-    speeds = np.linalg.norm(np.diff(wrists_m, axis=1, append=wrists_m[:, -1:]), axis=2) / step_s
-    most_rad = fastest.joint_rad_s * step_s
-    turns_fast = np.stack([_turns_fast(arm[:, fastest.rows], most_rad) for arm in arms])
-    return np.asarray((speeds > fastest.wrist_m_s) | turns_fast)
-
-
-def _turns_fast(rows: FloatArray, most_rad: float) -> NDArray[np.bool_]:
-    """Whether a joint (T, J, 4) turns too fast between a frame and the next."""
-    cosines = np.abs(np.einsum("tjq,tjq->tj", rows[1:], rows[:-1])).min(axis=1, initial=1.0)
-    return np.append(cosines < np.cos(most_rad / 2), False)
+    found = np.zeros(wrists_m.shape[:2], dtype=bool)
+    steps_m = wrists_m[:, 1:] - wrists_m[:, :-1]
+    found[:, :-1] = dot(steps_m, steps_m)[..., 0] > (fastest.wrist_m_s * step_s) ** 2
+    least = np.cos(fastest.joint_rad_s * step_s / 2)
+    for arm, fast in zip(arms, found, strict=True):
+        rows = arm[:, fastest.rows]
+        cosines = np.einsum("tjq,tjq->jt", rows[1:], rows[:-1])
+        fast[:-1] |= (np.abs(cosines, out=cosines) < least).any(axis=0)
+    return found
 
 
 def _stretches(marked: NDArray[np.bool_], margin: int) -> list[slice]:

@@ -38,6 +38,9 @@ _AT_EASE = 0.4
 _JOINTS: FloatArray = np.array([1.0, 1.0, 0.7])
 """The shares of a finger's three joints in its curl."""
 
+_MIRRORS: FloatArray = np.stack((np.ones(4), MIRROR))[:, None, None]
+"""What makes rotations (2, T, J, 4) of the left and the right arm those of two left ones."""
+
 
 def drag(
     arms: Sequence[FloatArray], wrists_m: FloatArray, times_s: FloatArray, style: Dragging, *, seed: int, life: float
@@ -50,25 +53,28 @@ def drag(
     speeds = np.gradient(wrists_m, step_s, axis=1)
     noise = perlins(times_s, Noise(_LIFE_HZ, 2 * seed + 1, 8)).reshape(-1, 2, 4)
     curls = np.radians(style.life_deg * life) * (noise + _AT_EASE)
-    for number, (arm, mirror) in enumerate(zip(arms, (np.ones(4), MIRROR), strict=True)):
-        across = smoothed(_across_the_hand(arm[:, : _HAND + 1] * mirror, speeds[number]), _SMOOTH_S / step_s)
-        turns = np.zeros((len(times_s), 3))
-        late = _delayed(across, style.hand_lag_s / step_s)
-        turns[:, 1] = _ASIDE * np.radians(style.hand_deg) * late[:, 1]
-        turns[:, 2] = -np.radians(style.hand_deg) * late[:, 0]
-        arm[:, _HAND] = multiply(arm[:, _HAND], from_rotation_vector(_at_most(turns)) * mirror)
-        lags = (style.hand_lag_s + (1 + finger) * style.finger_lag_s for finger in range(4))
-        behind = np.stack([_delayed(across[:, 0], lag_s / step_s) for lag_s in lags], axis=1)
-        curled = np.radians(style.fingers_deg) * behind + curls[:, number]
-        bends = (mirror[2] * -_within(curled, arm))[:, :, None] * _JOINTS
+    upper = np.stack([arm[:, : _HAND + 1] for arm in arms]) * _MIRRORS
+    across = smoothed(_across_the_hand(upper, speeds).swapaxes(0, 1), _SMOOTH_S / step_s)
+    late = _delayed(across, style.hand_lag_s / step_s)
+    turns = np.zeros((len(times_s), len(arms), 3))
+    turns[..., 1] = _ASIDE * np.radians(style.hand_deg) * late[..., 1]
+    turns[..., 2] = -np.radians(style.hand_deg) * late[..., 0]
+    turned = from_rotation_vector(_at_most(turns))
+    lags = (style.hand_lag_s + (1 + finger) * style.finger_lag_s for finger in range(4))
+    behind = np.stack([_delayed(across[..., 0], lag_s / step_s) for lag_s in lags], axis=-1)
+    curled = np.radians(style.fingers_deg) * behind + curls
+    for number, (arm, [mirror]) in enumerate(zip(arms, _MIRRORS[:, 0], strict=True)):
+        arm[:, _HAND] = multiply(arm[:, _HAND], turned[:, number] * mirror)
+        bends = (mirror[2] * -_within(curled[:, number], arm))[:, :, None] * _JOINTS
         turn_about_z(arm[:, _FINGERS], bends.reshape(len(bends), -1))
 
 
-def _across_the_hand(arm: FloatArray, speed: FloatArray) -> FloatArray:
-    """The speeds (T, 2) of a wrist towards the back of the hand and towards the thumb."""
-    upper = multiply(arm[:, _COLLARBONE], arm[:, _UPPER_ARM])
-    hand = multiply(multiply(upper, arm[:, _LOWER_ARM]), arm[:, _HAND])
-    return np.asarray(rotate(inverse(hand), speed)[:, 1:])
+def _across_the_hand(arms: FloatArray, speeds: FloatArray) -> FloatArray:
+    """The speeds (2, T, 2) of the wrists of both arms (2, T, 4, 4) towards the back of the hand and towards the
+    thumb."""
+    upper = multiply(arms[..., _COLLARBONE, :], arms[..., _UPPER_ARM, :])
+    hand = multiply(multiply(upper, arms[..., _LOWER_ARM, :]), arms[..., _HAND, :])
+    return np.asarray(rotate(inverse(hand), speeds)[..., 1:])
 
 
 def _delayed(values: FloatArray, frames: float) -> FloatArray:
