@@ -132,6 +132,26 @@ def entry_source(sources: Sequence[Source], *place: str) -> Source:
     return next((each for each in reversed(sources) if each.has(place)), sources[0])
 
 
+def has_key(path: Path, key: str) -> bool:
+    """Whether a file has this key, found without building it: usually it is the first. Raises AuthoringError as
+    `Source` does for a file that is read to its end."""
+    depth, steps = 0, 0
+    try:
+        for event in yaml.parse(_read(path), Loader=yaml.CSafeLoader):
+            depth -= isinstance(event, yaml.CollectionEndEvent)
+            steps += depth == 1 and isinstance(event, yaml.NodeEvent)
+            if steps % 2 and depth == 1 and isinstance(event, yaml.ScalarEvent) and event.value == key:
+                return True
+            is_list = depth == 0 and isinstance(event, yaml.SequenceStartEvent)
+            depth += isinstance(event, yaml.CollectionStartEvent)
+            if is_list or depth > DEEPEST or steps > MOST_NODES:
+                break
+    except yaml.YAMLError:
+        pass
+    Source(path)  # raises, if that is why it was not found
+    return False
+
+
 def _wrong(mistakes: Iterable[Mistake]) -> AuthoringError:
     """With all mistakes, or with the first and how many more there are."""
     first = list(islice(mistakes, MOST_MISTAKES + 1))

@@ -3,7 +3,7 @@ from pathlib import Path
 import pytest
 
 from understudy.errors import AuthoringError
-from understudy.yaml_files import DEEPEST, MOST_MISTAKES, MOST_NODES, Entry, Source
+from understudy.yaml_files import DEEPEST, MOST_MISTAKES, MOST_NODES, Entry, Source, has_key
 
 
 class Side(Entry):
@@ -112,3 +112,27 @@ def test_of_very_many_mistakes_the_first_are_told_and_no_line_without_end(tmp_pa
     assert len(caught.value.mistakes) == MOST_MISTAKES + 1
     assert "more mistakes" in caught.value.mistakes[-1].message
     assert len(caught.value.message) < 200 * MOST_MISTAKES
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("class: a\nwords: [", True),
+        ("words: [class]\n'class': a\n", True),
+        ("{words: {class: a}, b: class}", False),
+        ("[class, words]", False),
+        ("class", False),
+    ],
+)
+def test_a_key_is_found_without_reading_on(tmp_path: Path, text: str, found: bool) -> None:
+    path = tmp_path / "words.yaml"
+    path.write_text(text, encoding="utf-8")
+    assert has_key(path, "class") is found
+
+
+@pytest.mark.parametrize("text", ["words: [", "[" * (DEEPEST + 1), "a: &b c", ""])
+def test_a_file_without_the_key_is_read_to_its_end_and_its_mistakes_are_told(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "words.yaml"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(AuthoringError):
+        has_key(path, "class")

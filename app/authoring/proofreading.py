@@ -1,6 +1,6 @@
 """Checks authored files: all those in use, or others before they are put to use."""
 
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from pathlib import Path
 from types import MappingProxyType
@@ -51,7 +51,7 @@ from ..realizer.mpeg4.fap import FapTable
 from ..rules.priorities import Conflicts, Priorities
 from ..text.tag_table import FILE as TAGS
 from ..text.tag_table import TagTable
-from ..yaml_files import Source, entry_source
+from ..yaml_files import Source, entry_source, has_key
 
 Check = Callable[[], object]
 """Loads something, and raises AuthoringError if it has mistakes."""
@@ -202,14 +202,9 @@ def _definitions_beside(aliases: Path) -> tuple[Definition, ...]:
 def refuse_unread_words(folder: Path) -> None:
     """Raises AuthoringError for files in a folder of words that nothing would read."""
     files = sorted(folder.glob("*.yaml"))
-    unread = [file for file in files if file.name not in NAMED_FILES and "class" not in _keys(file)]
+    unread = [file for file in files if file.name not in NAMED_FILES and not has_key(file, "class")]
     if unread:
         raise AuthoringError(tuple(Mistake(file, 1, 1, "a file of words begins with its `class`") for file in unread))
-
-
-def _keys(file: Path) -> Collection[str]:
-    value = Source(file).value
-    return value if isinstance(value, dict) else ()
 
 
 def mistakes_of(*checks: Check) -> list[Mistake]:
