@@ -11,6 +11,7 @@ in use, and the log and `/readyz` say why until the files are right.
 import asyncio
 import gc
 import logging
+import os
 import signal
 import socket
 from collections.abc import AsyncIterator, Callable, Iterator, Sequence
@@ -76,7 +77,15 @@ def serve(
     when_started: Callable[[], None],
 ) -> int:
     """Serves on listening sockets until a signal, which is returned."""
-    config = uvicorn.Config(
+    server = Server(configuration(app, settings, log_config), app, settings.grace_s, when_started)
+    server.run(list(sockets))
+    return server.stopped_by or signal.SIGTERM
+
+
+def configuration(app: FastAPI, settings: Settings, log_config: dict[str, Any]) -> uvicorn.Config:
+    """uvicorn's. It would believe what anybody on this machine says of the caller's address (`X-Forwarded-For`), by
+    which callers are told apart; here only whom `FORWARDED_ALLOW_IPS` names."""
+    return uvicorn.Config(
         app,
         http=limited_protocol(settings),
         ws=limited_websocket(settings),
@@ -86,10 +95,8 @@ def serve(
         log_config=log_config,
         timeout_keep_alive=max(1, round(settings.idle_s)),
         timeout_graceful_shutdown=_ANSWERS_LEAVE_WITHIN_S,
+        forwarded_allow_ips=os.environ.get("FORWARDED_ALLOW_IPS", ""),
     )
-    server = Server(config, app, settings.grace_s, when_started)
-    server.run(list(sockets))
-    return server.stopped_by or signal.SIGTERM
 
 
 @asynccontextmanager

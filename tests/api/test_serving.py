@@ -14,8 +14,14 @@ from os import environ
 from pathlib import Path
 
 import psutil
+import pytest
+import uvicorn
+from fastapi import FastAPI, Request
+from fastapi.testclient import TestClient
 
 from tests.support.jobs import LONG_BML
+from understudy.api.serving import configuration
+from understudy.settings import Settings
 
 PATIENCE_S = 60.0
 
@@ -98,3 +104,22 @@ def test_killed_it_leaves_nothing_behind(tmp_path: Path) -> None:
             aligner.suspend()
         served.process.kill()
         _wait_until_gone(family)
+
+
+@pytest.mark.parametrize(("trusted", "address"), [(None, "127.0.0.1"), ("127.0.0.1", "192.0.2.7"), ("*", "192.0.2.7")])
+def test_only_a_proxy_that_is_named_says_who_calls(
+    monkeypatch: pytest.MonkeyPatch, trusted: str | None, address: str
+) -> None:
+    monkeypatch.delenv("FORWARDED_ALLOW_IPS", raising=False)
+    if trusted:
+        monkeypatch.setenv("FORWARDED_ALLOW_IPS", trusted)
+    app = FastAPI()
+
+    @app.get("/")
+    def caller(request: Request) -> str:
+        return request.client.host if request.client else ""
+
+    loaded: uvicorn.Config = configuration(app, Settings(), {"version": 1})
+    loaded.load()
+    client = TestClient(loaded.loaded_app, client=("127.0.0.1", 1))
+    assert client.get("/", headers={"X-Forwarded-For": "192.0.2.7"}).json() == address
