@@ -49,6 +49,8 @@ def passage_starts(facts: Iterable[Fact]) -> list[int]:
 def by_passage(starts: Sequence[int], facts: Iterable[Fact]) -> list[list[Fact]]:
     """The facts of each passage: those that begin in it, those at its end, and all without a position. Whole numbers
     among the arguments are positions: boundaries between words."""
+    if len(starts) == 1:
+        return [list(facts)]
     parts: list[list[Fact]] = [[] for _ in starts]
     for fact in facts:
         places = {place for place in fact.arguments if isinstance(place, int)}

@@ -14,6 +14,7 @@ import numpy as np
 
 from ...model import FRAME_SHIFT_S, Affect, Agitation, FloatArray, LineAffect, Manner, Tone, Word
 from ..agitation.utterance_features import PITCH_RANGE_OCTAVES, SYLLABLES_A_SECOND
+from ..signal.frames import percentiles
 from .line_affect import Stretch
 
 MEASURES = ("arousal", "sadness", "syllables a second", "pitch range in octaves")
@@ -114,7 +115,7 @@ def _level_db(stretch: Stretch, word: Word) -> float | None:
         return None
     first, last = (round(time_s / FRAME_SHIFT_S) for time_s in (word.interval.start_s, word.interval.end_s))
     frames = stretch.contours.energy_db[first : last + 1]
-    return float(np.percentile(frames, _LOUD_PERCENT)) if len(frames) else None
+    return percentiles(frames, _LOUD_PERCENT)[0] if len(frames) else None
 
 
 def _within(amplitude: float, speed: float, tension: float) -> Manner:

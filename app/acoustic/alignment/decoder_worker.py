@@ -95,13 +95,21 @@ def main(requests: BinaryIO, answers: BinaryIO) -> None:
         answer = recognizer.response_to(requests.read(request["bytes"]), request["words"], more=request["more"])
         answers.write(json.dumps(answer).encode() + b"\n")
         answers.flush()
+        recognizer.prepare()
 
 
 class Recognizer:
-    """Keeps the decoder of the narrow search; others are created when needed."""
+    """Keeps the decoder of the narrow search, and one that will place the phones of the next line; others are created
+    when needed."""
 
     def __init__(self) -> None:
         self._kept = _Vocabulary(NARROW)
+        self._placers: list[Decoder] = []
+
+    def prepare(self) -> None:
+        """Create what the next line needs, while nobody waits for it."""
+        if not self._placers:
+            self._placers.append(_decoder(PLACING))
 
     def response_to(self, audio: bytes, words: list[list[str]], *, more: bool) -> dict[str, object]:
         """The response to a request."""
@@ -119,10 +127,27 @@ class Recognizer:
         """All words and the accepted fillers; empty if there is no path."""
         decoder = self._knowing(words, search)
         _listen(decoder, audio, words)
-        heard = _placed(decoder, audio)
+        heard = self._placed(decoder, audio)
         by_a_pause = _are_by_a_pause([each for each, _ in heard])
         doubtful = [_is_doubtful(each, by_a_pause=by) for (each, _), by in zip(heard, by_a_pause, strict=True)]
         return _merged(heard, doubtful)
+
+    def _placed(self, decoder: Decoder, audio: bytes) -> HeardPhones:
+        """The decoder's current result with its phones; empty without a path or without words. A phone must be read
+        while its word is current.
+
+        The phones are aligned by a new decoder: where densities are not selected in each frame, a reused one starts
+        with those of earlier audio.
+        """
+        if decoder.hyp() is None or any(segment.word == NOTHING for segment in decoder.seg()):
+            return []
+        decoder.set_alignment()
+        self.prepare()
+        placer = self._placers.pop()
+        placer.set_alignment(decoder.get_alignment())
+        _decode(placer, audio)
+        heard = [(_told(word), [_told(phone) for phone in word]) for word in placer.get_alignment()]
+        return [(each, phones) for each, phones in heard if _is_one_of_ours(each[0])]
 
     def _spans(self, audio: bytes, words: list[list[str]], search: BeamSearch) -> list[Span] | None:
         """The times of those first words that are found before the audio ends; None if there is no path."""
@@ -209,23 +234,6 @@ def _listen(decoder: Decoder, audio: bytes, words: list[list[str]], *, more: boo
     decoder.add_fsg("line", decoder.create_fsg("line", 0, last, [*spoken, *fillers, *(ends if more else ())]))
     decoder.activate_search("line")
     _decode(decoder, audio)
-
-
-def _placed(decoder: Decoder, audio: bytes) -> HeardPhones:
-    """The decoder's current result with its phones; empty without a path or without words. A phone must be read while
-    its word is current.
-
-    The phones are aligned by a new decoder: where densities are not selected in each frame, a reused one starts with
-    those of earlier audio.
-    """
-    if decoder.hyp() is None or any(segment.word == NOTHING for segment in decoder.seg()):
-        return []
-    decoder.set_alignment()
-    placer = _decoder(PLACING)
-    placer.set_alignment(decoder.get_alignment())
-    _decode(placer, audio)
-    heard = [(_told(word), [_told(phone) for phone in word]) for word in placer.get_alignment()]
-    return [(each, phones) for each, phones in heard if _is_one_of_ours(each[0])]
 
 
 def _is_one_of_ours(name: str) -> bool:

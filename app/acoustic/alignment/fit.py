@@ -77,18 +77,25 @@ def check_fit(audio: Audio, words: tuple[Word, ...], decoded: list[list[DecodedP
     voice.
     """
     phones = [phone for word in decoded for phone in word]
-    log_odds = misfit(phones)
-    snr_db = signal_to_noise_db(audio)
-    if log_odds > REFUSED and snr_db >= NOISY_SNR_DB and not is_raised(audio):
-        raise _mismatch("most of its sounds do not fit")
-    lacking_db = max(CLEAN_SNR_DB - snr_db, 0.0) + (TELEPHONE_DB if is_telephone(audio) else 0.0)
     reasons = []
-    if log_odds > min(SUSPECT + SUSPECT_PER_DB * lacking_db, REFUSED):
+    if _is_suspect(audio, misfit(phones)):
         reasons.append(f"it fits poorly, worst at {_names(words, _are_worst(phones))}")
     reasons += _missing(audio, words)
     if not reasons:
         return ()
     return (Notice("transcript_suspect", "the text may differ from what is said: " + "; ".join(reasons)),)
+
+
+def _is_suspect(audio: Audio, log_odds: float) -> bool:
+    """Whether a text may be a wrong one; raises InputError `transcript_mismatch` if it is. How noisy and narrow the
+    recording is, which takes longer to find out than all else here, matters only above `SUSPECT`."""
+    if log_odds <= SUSPECT:
+        return False
+    snr_db = signal_to_noise_db(audio)
+    if log_odds > REFUSED and snr_db >= NOISY_SNR_DB and not is_raised(audio):
+        raise _mismatch("most of its sounds do not fit")
+    lacking_db = max(CLEAN_SNR_DB - snr_db, 0.0) + (TELEPHONE_DB if is_telephone(audio) else 0.0)
+    return log_odds > min(SUSPECT + SUSPECT_PER_DB * lacking_db, REFUSED)
 
 
 def check_found(audio: Audio) -> None:

@@ -12,6 +12,7 @@ from itertools import pairwise
 import numpy as np
 
 from ...model import FRAME_SHIFT_S, Contours, FloatArray, Interval, SingleArray, Word
+from ..signal.frames import percentiles
 
 CUES = (
     "length", "longest phone", "pitch", "highest pitch", "range of pitch", "move of pitch", "level", "loudest", "tilt",
@@ -92,12 +93,12 @@ def _sound(frames: slice, semitones: FloatArray, contours: Contours) -> list[flo
     """Pitch, its height, range and move in semitones; level, its highest, and tilt in dB, of a word's vowels."""
     energy, pitch, bands = contours.energy_db[frames], semitones[frames], contours.mel_db[frames]
     nucleus = energy >= energy.max() - NUCLEUS_DB
-    low, high = np.percentile(pitch, (10, 90))
+    low, high = percentiles(pitch, 10, 90)
     third = max(len(pitch) // 3, 1)
     return [
         float(pitch[nucleus].mean()),
-        float(high),
-        float(high - low),
+        high,
+        high - low,
         float(pitch[-third:].mean() - pitch[:third].mean()),
         float(energy[nucleus].mean()),
         float(energy.max()),

@@ -47,6 +47,14 @@ def excerpt(signal: FloatArray, first: int, end: int) -> SingleArray:
     return stretch
 
 
+def percentiles(values: FloatArray, *percents: float) -> list[float]:
+    """`np.percentile` of few values (n,), at a tenth of its cost: between the nearest in order, in proportion."""
+    ordered = sorted(values.tolist())
+    places = [(len(ordered) - 1) * (percent / 100) for percent in percents]
+    pairs = [(int(place), min(int(place) + 1, len(ordered) - 1), place % 1) for place in places]
+    return [(1 - share) * ordered[below] + share * ordered[above] for below, above, share in pairs]
+
+
 MULTIPLICATIONS = 2**18
 
 

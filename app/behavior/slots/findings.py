@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from ...model import Token
 from ...model.slots import Distance
 from .patterns import PatternMatch, find, number_of, possible, vocabulary_of
-from .table import LENGTH, NOUN, SlotPhrase, SlotTable
+from .table import LENGTH, NOUN, Pattern, SlotPhrase, SlotTable
 
 Value = str | int | float
 NEAR_M = 3.0
@@ -37,11 +37,18 @@ def findings(table: SlotTable, tokens: Sequence[Token]) -> tuple[Finding, ...]:
     found: dict[str, list[Finding]] = {}
     vocabulary = vocabulary_of(tokens)
     for phrase in table.phrases:
-        if phrase.line and not any(any(find(each, tokens, table.numbers)) for each in phrase.line):
+        if phrase.line and not _is_anywhere(table, phrase.line, tokens, vocabulary):
             continue
         found.setdefault(phrase.slot, []).extend(_said(table, phrase, tokens, vocabulary))
     kept = (each for ranked in found.values() for each in _longest(ranked) if each.value is not None)
     return tuple(sorted(kept, key=lambda each: (each.first, each.last, each.slot)))
+
+
+def _is_anywhere(
+    table: SlotTable, patterns: Iterable[Pattern], tokens: Sequence[Token], vocabulary: frozenset[str]
+) -> bool:
+    """Whether one of the patterns is in the line."""
+    return any(possible(each, vocabulary) and any(find(each, tokens, table.numbers)) for each in patterns)
 
 
 def _said(

@@ -25,6 +25,10 @@ class Tone(StrEnum):
     SURPRISED = "surprised"
 
 
+_TONES = tuple(Tone)
+_NUMBERS: Mapping[Tone, int] = MappingProxyType({tone: number for number, tone in enumerate(_TONES)})
+
+
 @dataclass(frozen=True, slots=True)
 class Affect:
     """The feeling heard in a stretch of speech; `tones` has a share for each tone, in the order of `Tone`."""
@@ -36,12 +40,12 @@ class Affect:
 
     def share(self, tone: Tone) -> float:
         """The share of one tone."""
-        return self.tones[list(Tone).index(tone)]
+        return self.tones[_NUMBERS[tone]]
 
     @property
     def tone(self) -> Tone:
         """The tone with the largest share; the first of `Tone` on a tie."""
-        return max(Tone, key=self.share)
+        return _TONES[self.tones.index(max(self.tones))]
 
 
 NEUTRAL = Affect()

@@ -40,3 +40,12 @@ def test_what_was_learnt_before_changes_nothing(filler: bytes, count: int) -> No
 def test_a_word_may_be_said_in_any_of_its_ways(filler: bytes) -> None:
     words = [["B AH T", "AH M", "K IY Z"]]
     assert [each[0] for each, _ in Recognizer().aligned(filler, words, NARROW)] == ["AH_M"]
+
+
+def test_what_is_made_ready_for_a_line_serves_no_other(filler: bytes) -> None:
+    recognizer, answers = Recognizer(), []
+    for ready in (False, True, True):
+        if ready:
+            recognizer.prepare()
+        answers.append(recognizer.response_to(filler, UM, more=False))
+    assert answers[0] == answers[1] == answers[2]

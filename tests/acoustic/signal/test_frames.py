@@ -10,6 +10,7 @@ from understudy.acoustic.signal.frames import (
     blocks_of_frames,
     excerpt,
     frame_count,
+    percentiles,
     product,
 )
 from understudy.model import FloatArray
@@ -57,3 +58,9 @@ def test_it_is_the_product(rows: int, kind: type) -> None:
 def test_a_matrix_that_is_too_large_for_one_row_is_taken_all_the_same() -> None:
     matrix = np.ones((2, MULTIPLICATIONS))
     assert product(np.ones((3, 2)), matrix)[:, 0].tolist() == [2.0, 2.0, 2.0]
+
+
+@pytest.mark.parametrize("count", [1, 2, 7, 10])
+def test_percentiles_are_those_of_numpy(count: int) -> None:
+    values, percents = np.random.default_rng(count).normal(size=count), (0, 10, 50, 90, 100)
+    np.testing.assert_allclose(percentiles(values, *percents), np.percentile(values, percents), rtol=1e-14)
