@@ -78,8 +78,7 @@ class Pace:
         self.turn: Turn | None = None
 
     def earn(self, heard_s: float, passed_s: float) -> None:
-        """Saves what a stream that has lasted `passed_s` by the clock and `heard_s` by its sound earned since the last
-        time."""
+        """Saves what a stream earned since the last time: it has lasted `passed_s`, and its sound `heard_s`."""
         credited_s = min(heard_s, passed_s)
         earned_s = _EARNED_BY_WAITING * (passed_s - self._passed_s)
         if heard_s <= passed_s:
