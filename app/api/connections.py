@@ -23,6 +23,7 @@ from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIO
 
 from ..errors import LONGEST_SHOWN
 from ..settings import Settings
+from .admission.rates import Frequency
 from .problems import bad_request, connections_full
 
 MOST_HEADERS = 100
@@ -45,6 +46,10 @@ READ_BYTES, READ_IN_PARTS_BYTES = 1 << 13, 1 << 11
 """So much of a connection is read in a turn of the event loop, and of a body or message that comes in parts: there may
 be hundreds of tiny ones in it, and all other connections wait until they are parsed."""
 
+
+REQUESTS_A_SECOND, REQUESTS_AT_ONCE = 300.0, 1000
+"""More requests than these from one address wait, whatever they ask for: answering them would take the event loop from
+others. A page of the studio asks for some two hundred files."""
 
 LONG_PIECE_S, RESTS = 0.0003, 3
 """After a piece in parts that took longer to parse, in processor time, its connection is not read for so many times as
@@ -109,6 +114,7 @@ class LimitedProtocol(H11Protocol, _ReadInTurns):
     """uvicorn's HTTP/1.1 protocol with the limits of `settings`."""
 
     settings: Settings
+    frequency: Frequency
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         super().connection_made(transport)
@@ -120,6 +126,18 @@ class LimitedProtocol(H11Protocol, _ReadInTurns):
             transport.close()
             return
         self._check()
+        wait_s = self.frequency.wait_s(self._address, times=0)
+        if wait_s:
+            transport.pause_reading()
+            self.loop.call_later(wait_s, self._read)
+
+    def _read(self) -> None:
+        if not self.transport.is_closing():
+            self.transport.resume_reading()
+
+    @property
+    def _address(self) -> str:
+        return self.client[0] if self.client else ""
 
     def _has_room(self) -> bool:
         """Whether there are no more connections than may be, once the one is closed whose request has been awaited
@@ -155,6 +173,15 @@ class LimitedProtocol(H11Protocol, _ReadInTurns):
         if self._checking is not None:
             self._checking.cancel()
         super().handle_websocket_upgrade(event)
+
+    def on_response_complete(self) -> None:
+        """The next request of an address that asks too often is read later."""
+        wait_s = self.frequency.wait_s(self._address)
+        if wait_s:
+            self._headers_due_s = self.loop.time() + wait_s + HEADERS_IN * self.settings.idle_s
+            self.loop.call_later(wait_s, super().on_response_complete)
+        else:
+            super().on_response_complete()
 
     def send_400_response(self, msg: str) -> None:
         """Answers malformed HTTP with a problem document and closes the connection."""
@@ -203,7 +230,8 @@ def _taken_bytes(transport: asyncio.Transport) -> int:
 
 def limited_protocol(settings: Settings) -> type[LimitedProtocol]:
     """The protocol class with these settings, for uvicorn."""
-    members: dict[str, Any] = {"settings": settings}
+    frequency = Frequency(REQUESTS_A_SECOND, REQUESTS_AT_ONCE)
+    members: dict[str, Any] = {"settings": settings, "frequency": frequency}
     return type("LimitedProtocol", (LimitedProtocol,), members)
 
 

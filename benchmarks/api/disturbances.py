@@ -23,7 +23,7 @@ import psutil
 from .asking import Client
 from .attacks import Attack, form, line
 from .lines import timed_line
-from .raw_streams import fill, opened, reset, say, upgrade
+from .raw_streams import LARGEST_RECEIVED, fill, opened, reset, say, upgrade
 from .watching import HOST, Running
 
 UPGRADES = 520
@@ -31,6 +31,8 @@ UPGRADES = 520
 
 STREAMS, FEW_STREAMS = 14, 4
 """Nearly all places of two cores; and as many as these can make frames for beside other work."""
+
+FEW_CONNECTIONS = 8
 
 CROWD, OTHER_ADDRESS = 12, "127.0.0.2"
 """One more than wait and work on two cores; of loopback too, but another client's."""
@@ -163,6 +165,41 @@ def _flooded(begin: Callable[[Running], socket.socket], piece: bytes, service: R
         yield
 
 
+@contextmanager
+def _churned(service: Running) -> Iterator[None]:
+    """Streams that are begun and broken off without end, eight at a time."""
+
+    def begin(enough: threading.Event) -> None:
+        while not enough.is_set():
+            with suppress(OSError):
+                stream = opened(service.port)
+                stream.recv(LARGEST_RECEIVED)
+                reset(stream)
+
+    with ExitStack() as stack:
+        for _ in range(FEW_CONNECTIONS):
+            stack.enter_context(_meanwhile(begin))
+        yield
+
+
+@contextmanager
+def _asked_for_nothing(service: Running) -> Iterator[None]:
+    """Requests that cost hardly anything, many at once and without end, on eight connections."""
+    request = b"GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n"
+
+    def ask(enough: threading.Event) -> None:
+        while not enough.is_set():
+            with suppress(OSError), socket.create_connection((HOST, service.port), timeout=1.0) as connection:
+                while not enough.is_set():
+                    connection.sendall(request * 50)
+                    connection.recv(LARGEST_RECEIVED)
+
+    with ExitStack() as stack:
+        for _ in range(FEW_CONNECTIONS):
+            stack.enter_context(_meanwhile(ask))
+        yield
+
+
 def _begun_body(service: Running) -> socket.socket:
     """A request whose body comes in chunks."""
     connection = socket.create_connection((HOST, service.port), timeout=5)
@@ -281,10 +318,12 @@ CONNECTIONS = (
     Disturbance("a message in empty fragments", _with(_flooded, _begun_message, EMPTY_FRAGMENT)),
     Disturbance("empty messages of sound", _with(_flooded, lambda service: opened(service.port), EMPTY_SOUND)),
     Disturbance("pings without end", _with(_flooded, _begun_message, PING)),
+    Disturbance("requests for nothing without end", _asked_for_nothing),
 )
 LIVE = (
     Disturbance("streams filled with sound, then reset", _with(_left_full, bytes(60_000))),
     Disturbance("streams of long silences, then reset", _with(_left_full, {"type": "silence", "duration_s": 60})),
+    Disturbance("streams begun and left without end", _churned),
     Disturbance("streams that never read", _never_read),
     Disturbance(
         "a word of 100,000 s",

@@ -13,6 +13,7 @@ import pytest
 import uvicorn
 from starlette.types import Receive, Scope, Send
 
+from understudy.api import connections
 from understudy.api.connections import (
     HEADERS_IN,
     MOST_HEADERS,
@@ -218,6 +219,29 @@ def test_a_body_in_tiny_chunks_leaves_the_event_loop_to_others() -> None:
         assert b"".join(received(client)).startswith(b"HTTP/1.1 200")
         passed_s = time.monotonic() - began_s
     assert passed_s > 2 * (time.process_time() - before_s)
+
+
+def test_who_asks_too_often_waits_and_is_answered(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Twenty at once, of whom ten wait for .05 s each, on one connection."""
+    monkeypatch.setattr(connections, "REQUESTS_A_SECOND", 20.0)
+    monkeypatch.setattr(connections, "REQUESTS_AT_ONCE", 10)
+    with served() as (_server, connect), connect() as client:
+        began_s = time.monotonic()
+        client.sendall(GET * 19 + GET.replace(b"\r\n\r\n", b"\r\nConnection: close\r\n\r\n"))
+        assert b"".join(received(client)).count(b"HTTP/1.1 200") == 20
+        assert time.monotonic() - began_s > 0.4
+
+
+def test_who_asks_too_often_waits_on_a_new_connection_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(connections, "REQUESTS_A_SECOND", 5.0)
+    monkeypatch.setattr(connections, "REQUESTS_AT_ONCE", 1)
+    with served() as (_server, connect):
+        began_s = time.monotonic()
+        for _ in range(4):
+            with connect() as client:
+                client.sendall(GET.replace(b"\r\n\r\n", b"\r\nConnection: close\r\n\r\n"))
+                assert b"".join(received(client)).startswith(b"HTTP/1.1 200")
+        assert time.monotonic() - began_s > 0.4
 
 
 def test_a_kept_connection_may_ask_again_after_longer_than_headers_may_take() -> None:

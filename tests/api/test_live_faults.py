@@ -132,3 +132,14 @@ def test_words_of_impossible_length_are_told_and_nothing_computed(nursery: Nurse
             opened.send(json.dumps({"type": "words", "words": words}))
             told = json.loads(opened.recv(PATIENCE_S))
             assert (told["type"], told["code"], told["goes_on"]) == ("error", "value_wrong", True)
+
+
+def test_who_begins_streams_without_end_waits_for_some_of_them(nursery: Nursery) -> None:
+    """Two at once, and eight a second from then on."""
+    with served(nursery, live_streams=2) as running:
+        began_s = time.monotonic()
+        for _ in range(6):
+            with stream(running):
+                pass
+            until(lambda: running.service.streams.count == 0)
+        assert time.monotonic() - began_s > 0.45

@@ -1,4 +1,4 @@
-"""How often an address may ask for work, and how often it may send a wrong key.
+"""How often an address may ask, for work and for anything, and how often it may send a wrong key.
 
 Counts are kept by address; of more than `MOST_CLIENTS` addresses, those that asked longest ago are forgotten.
 """
@@ -38,6 +38,24 @@ class Rates:
         self._full_at_s.move_to_end(client)
         while len(self._full_at_s) > MOST_CLIENTS:
             self._full_at_s.popitem(last=False)
+
+
+class Frequency:
+    """Makes clients wait that ask more than so many times a second, after so many that they may ask at once."""
+
+    def __init__(self, a_second: float, at_once: int, clock: Callable[[], float] = time.monotonic) -> None:
+        self._each_s, self._at_once_s = 1 / a_second, at_once / a_second
+        self._clock = clock
+        self._full_at_s: OrderedDict[str, float] = OrderedDict()
+
+    def wait_s(self, client: str, times: int = 1) -> float:
+        """How long this request of a client has to wait; `times` 0 is none yet."""
+        now_s = self._clock()
+        full_at_s = max(self._full_at_s.pop(client, now_s), now_s) + times * self._each_s
+        self._full_at_s[client] = full_at_s
+        while len(self._full_at_s) > MOST_CLIENTS:
+            self._full_at_s.popitem(last=False)
+        return max(0.0, full_at_s - now_s - self._at_once_s)
 
 
 class Guesses:

@@ -7,10 +7,14 @@ from contextlib import asynccontextmanager
 
 from ...errors import ServiceError, TooManyError
 from ...settings import Settings
+from ..admission.rates import Frequency
 from .pool import Pool
 from .processes import Worker
 
 _AGAIN_AFTER_S = 5.0
+_A_SECOND = 8.0
+"""A process is forked in .01 s; a caller that begins more streams a second than this waits, after as many at once as
+there are places."""
 
 
 class Streams:
@@ -21,6 +25,7 @@ class Streams:
         self._pool, self._settings = pool, settings
         self._open = Counter[str]()
         self._stopping = asyncio.Event()
+        self._frequency = Frequency(_A_SECOND, settings.live_stream_count)
 
     @property
     def count(self) -> int:
@@ -34,6 +39,7 @@ class Streams:
         self._require_place(caller)
         self._open[caller] += 1
         try:
+            await asyncio.sleep(self._frequency.wait_s(caller))
             worker = await self._forked()
             try:
                 yield worker

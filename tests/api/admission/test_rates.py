@@ -2,7 +2,7 @@
 
 import pytest
 
-from understudy.api.admission.rates import MOST_CLIENTS, Rates
+from understudy.api.admission.rates import MOST_CLIENTS, Frequency, Rates
 from understudy.errors import TooManyError
 
 
@@ -34,3 +34,15 @@ def test_clients_are_forgotten_so_that_memory_is_bounded() -> None:
     rates.take("0")
     with pytest.raises(TooManyError):
         rates.take(str(MOST_CLIENTS))
+
+
+def test_some_may_ask_at_once_and_the_others_wait_their_time() -> None:
+    now_s = [0.0]
+    frequency = Frequency(10.0, 2, lambda: now_s[0])
+    assert [frequency.wait_s("a") for _ in range(4)] == pytest.approx([0.0, 0.0, 0.1, 0.2])
+    assert frequency.wait_s("b") == 0.0
+    now_s[0] = 0.3
+    assert frequency.wait_s("a") == 0.0
+    for number in range(MOST_CLIENTS):
+        frequency.wait_s(str(number))
+    assert len(frequency._full_at_s) == MOST_CLIENTS
