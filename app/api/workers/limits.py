@@ -19,7 +19,8 @@ from ...settings import processor_count
 Result = TypeVar("Result")
 
 _MOST_S, _BRIEF_S, _SLICE_S = 0.1, 0.07, 0.05
-"""What a stream may have saved up, the part of it that is brief work, and a slice of long work (`Pace`), seconds."""
+"""Seconds that a stream may have saved up, the part of them that is brief work, and a slice of long work
+(`ProcessorShare`)."""
 
 _EARNED_BY_SOUND, _EARNED_BY_WAITING = 0.5, 0.05
 """The processor time that a stream earns in a second of sound, and in any second; with frames it uses .15 a second."""
@@ -58,7 +59,7 @@ class Turn(IntEnum):
     LONG = 1
 
 
-class Pace:
+class ProcessorShare:
     """How a stream shares the processors with other streams and with lines: it takes what it has saved up as it comes,
     and more in turns.
 
@@ -125,7 +126,7 @@ class Pace:
 
 
 @contextmanager
-def processor_time(limit_s: float, pace: Pace) -> Iterator[None]:
+def processor_time(limit_s: float, pace: ProcessorShare) -> Iterator[None]:
     """Limits the processor time of a block, user and system time of all threads, seconds, which it takes at that pace;
     after a tenth of the limit it has the lowest priority. Only in the main thread. Raises ProcessorTimeError."""
     began_s = time.process_time()

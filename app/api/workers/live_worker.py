@@ -36,7 +36,7 @@ from ...schemas.live import (
 )
 from ...settings import Settings
 from .families import end_with
-from .limits import Pace, ProcessorTimeError, give_way, limit_memory, processor_time, too_large, too_long
+from .limits import ProcessorShare, ProcessorTimeError, give_way, limit_memory, processor_time, too_large, too_long
 from .messages import LiveInput, LiveOutput, Ready, receive, send
 
 STEP_S = 0.1
@@ -158,12 +158,12 @@ FASTEST_CLOCK = 1.02
 
 
 def stream(service: socket.socket, models: LiveModels, settings: Settings, turns: int) -> None:
-    """Answers one client until its stream is over. `turns` is a file that all streams share (`Pace`)."""
+    """Answers one client until its stream is over. `turns` is a file that all streams share (`ProcessorShare`)."""
     os.nice(STREAMS_NICE)
     end_with(service)
     limit_memory(settings.worker_memory_bytes)
     send(service, Ready(os.getpid(), psutil.Process().memory_info().rss))
-    conversation, pace = Conversation(models, settings), Pace(turns)
+    conversation, pace = Conversation(models, settings), ProcessorShare(turns)
     began_s, spent_s = time.monotonic(), time.process_time()
     while not conversation.ended:
         try:
@@ -197,7 +197,7 @@ def _answer(
     content: bytes,
     *,
     is_text: bool,
-    pace: Pace,
+    pace: ProcessorShare,
 ) -> None:
     """Sends the answers to a message; a bug is logged and sent as `internal_error`."""
     frames: list[str] = []

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from understudy.api.workers.limits import Pace, ProcessorTimeError, Turn, processor_time
+from understudy.api.workers.limits import ProcessorShare, ProcessorTimeError, Turn, processor_time
 from understudy.settings import processor_count
 
 
@@ -25,7 +25,7 @@ def _worked(limit_s: float, busy_s: float, turns: str) -> tuple[int, bool]:
 
 def _work(busy_s: float, turns: str, limit_s: float = 60.0) -> None:
     """A message that takes so long of a processor, of a stream that has just begun."""
-    with open(turns, "r+b") as file, processor_time(limit_s, Pace(file.fileno())):
+    with open(turns, "r+b") as file, processor_time(limit_s, ProcessorShare(file.fileno())):
         _be_busy(busy_s)
 
 
@@ -114,7 +114,7 @@ def test_sound_earns_processor_time_unless_it_is_ahead_of_the_clock(
 ) -> None:
     """A third of a core, for a second by the clock."""
     with open(turns, "r+b") as file:
-        pace = Pace(file.fileno())
+        pace = ProcessorShare(file.fileno())
         for passed_s in (0.1 * piece for piece in range(11)):
             pace.end(0.033)
             pace.earn(heard_each_s * passed_s, passed_s)
