@@ -98,10 +98,12 @@ class Reload:
 
 @dataclass(frozen=True, slots=True)
 class Ready:
-    """From a forked process, first: its process id, and its memory at that time, which is shared, bytes."""
+    """From a forked process, first: its process id, its memory at that time, which is shared, bytes, and whether it
+    has inherited what is loaded lazily."""
 
     pid: int
     shared_bytes: int
+    is_warm: bool = True
 
 
 @dataclass(frozen=True, slots=True)

@@ -48,7 +48,7 @@ STEPS = 20
 
 IDLE_S = 1.0
 """A nursery that replaces one that died forks at once, since jobs and streams are waiting, and warms up after it has
-been idle for this long. Its first workers do their own lazy loading."""
+been idle for this long. Its first workers do their own lazy loading, and are replaced when there is time."""
 
 
 def main(control: socket.socket) -> None:
@@ -70,21 +70,24 @@ def main(control: socket.socket) -> None:
         send(control, LoadedLibrary(_library(understudy)))
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # ended workers are reaped by the kernel
     with suppress(EOFError), tempfile.TemporaryFile() as turns:  # the service has closed its end
-        nursery = _Forking(control, models, turns.fileno())
+        nursery = _Forking(control, models, turns.fileno(), is_warm=not start.is_renewal)
         if start.is_renewal:
             nursery.obey(idle_s=IDLE_S)
             _warm(nursery.models)
+            nursery.is_warm = True
         nursery.obey()
     os._exit(0)  # a forked process's interpreter would wait at its end for threads that it does not have
 
 
 @dataclass(slots=True)
 class _Forking:
-    """What a nursery does once all is loaded. `turns` is the file by which streams take turns."""
+    """What a nursery does once all is loaded. `turns` is the file by which streams take turns; it `is_warm` when it has
+    done everything once."""
 
     control: socket.socket
     models: LiveModels
     turns: int
+    is_warm: bool
 
     def obey(self, idle_s: float | None = None) -> None:
         """Forks and reloads on request; returns after `idle_s` without a request. Raises EOFError when the socket
@@ -103,7 +106,19 @@ class _Forking:
         with service:
             if os.fork() == 0:
                 self.control.close()
-                _be_worker(service, self.models, fork, self.turns)
+                self._be_worker(service, fork)
+
+    def _be_worker(self, service: socket.socket, fork: Fork) -> Never:
+        """Runs the worker and exits; the nursery's code never continues in a worker."""
+        understudy = self.models.understudy.with_settings(fork.settings)
+        try:
+            signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+            if fork.is_live:
+                stream(service, replace(self.models, understudy=understudy), fork.settings, self.turns)
+            else:
+                work(service, understudy, is_warm=self.is_warm)
+        finally:
+            os._exit(0)
 
     def _divide(self, control: socket.socket) -> None:
         """Both processes go on in the same place; the new one obeys the new socket, and rests until it is needed."""
@@ -120,7 +135,8 @@ class _Forking:
 def _warm(models: LiveModels) -> None:
     """Performs and realizes the bundled line, streams its beginning live and builds all schemas, so that workers
     inherit what is loaded lazily; then freezes all objects, since garbage collection would write to shared pages."""
-    import scipy.optimize  # noqa: F401  # for lines with a profile, which this one does without
+    import inflect  # noqa: F401  # for lines with numbers, which this one does without, as it does without a profile
+    import scipy.optimize  # noqa: F401
 
     examples = resource_folder("examples")
     sound, text = (examples / "example.flac").read_bytes(), (examples / "example.txt").read_text(encoding="utf-8")
@@ -149,19 +165,6 @@ def _listen_to(models: LiveModels, sound: bytes, text: str) -> None:
         for part in np.array_split(half, STEPS):
             session.hear(part)
         session.text(text)
-
-
-def _be_worker(service: socket.socket, models: LiveModels, fork: Fork, turns: int) -> Never:
-    """Runs the worker and exits; the nursery's code never continues in a worker."""
-    understudy = models.understudy.with_settings(fork.settings)
-    try:
-        signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-        if fork.is_live:
-            stream(service, replace(models, understudy=understudy), fork.settings, turns)
-        else:
-            work(service, understudy)
-    finally:
-        os._exit(0)
 
 
 def _reloaded(control: socket.socket, models: LiveModels) -> LiveModels:

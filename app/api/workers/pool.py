@@ -7,6 +7,7 @@ has no side effects, is retried once on another.
 
 import asyncio
 import logging
+import time
 from collections import deque
 from collections.abc import Iterable
 from contextlib import suppress
@@ -27,6 +28,9 @@ JOBS_A_WORKER = 1000
 _WATCH_EVERY_S = 0.5
 _FORK_WITHIN_S = 60.0
 """On a busy machine too; processes that hang are noticed sooner, by the watch."""
+
+_COLD_FOR_S = 5.0
+"""A worker that is not warm is replaced after so long, when it is idle; by then its nursery is warm, or will be."""
 
 _AGAIN_AFTER_S = 0.5
 _RETRIES = 1
@@ -299,6 +303,16 @@ class Pool:
                 self._dismiss(seen.worker)
             elif seen.trouble and seen.worker in self._busy:
                 seen.worker.kill()
+        if not self._missing:
+            self._replace_cold()
+
+    def _replace_cold(self) -> None:
+        """Replaces one worker that would load for its next job what others have inherited."""
+        late_s = time.monotonic() - _COLD_FOR_S
+        cold = next((each for each in self._idle if not each.is_warm and each.began_s < late_s), None)
+        if cold is not None:
+            self._idle.remove(cold)
+            self._dismiss(cold)
 
     def _look_after(self, nursery: Nursery, *, is_well: bool) -> None:
         """Replaces a nursery that is not well; for one that is sees to it that another can take its place."""

@@ -9,7 +9,7 @@ import threading
 import time
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, Self
 
@@ -216,11 +216,14 @@ class Nursery:
 
 @dataclass(slots=True, eq=False)
 class Worker:
-    """The handle of a worker process. `given_up` is the error of its job if the service killed it for that job."""
+    """The handle of a worker process. `given_up` is the error of its job if the service killed it for that job; a
+    nursery that has just been started forks workers that are not warm."""
 
     socket: socket.socket
     process: psutil.Process
     shared_bytes: int
+    is_warm: bool = True
+    began_s: float = field(default_factory=time.monotonic)
     jobs: int = 0
     given_up: ServiceError | Exception | None = None
 
@@ -234,7 +237,7 @@ class Worker:
         try:
             ready, _ = await receive_soon(service)
             assert isinstance(ready, Ready)
-            return cls(service, psutil.Process(ready.pid), ready.shared_bytes)
+            return cls(service, psutil.Process(ready.pid), ready.shared_bytes, ready.is_warm)
         except psutil.NoSuchProcess:
             service.close()
             raise EOFError from None

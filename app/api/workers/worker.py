@@ -21,13 +21,13 @@ from .messages import Answer, Job, JobFailure, Ready, receive, send
 _LOGGER = logging.getLogger(__name__)
 
 
-def work(service: socket.socket, understudy: Understudy) -> None:
+def work(service: socket.socket, understudy: Understudy, *, is_warm: bool) -> None:
     """Answers jobs until there are no more."""
     end_with(service)
     settings = understudy.acoustic.settings
     limit_memory(settings.worker_memory_bytes)
     understudy.acoustic.aligner.warm_up()
-    send(service, Ready(os.getpid(), psutil.Process().memory_info().rss))
+    send(service, Ready(os.getpid(), psutil.Process().memory_info().rss, is_warm))
     known = KnownLines()
     while True:
         try:

@@ -12,6 +12,7 @@ import psutil
 import pytest
 
 from tests.support.jobs import LONG, LONG_BML, SHORT, SHORT_TEXT
+from understudy.api.workers import pool as pool_module
 from understudy.api.workers.limits import Deadline
 from understudy.api.workers.messages import Answer
 from understudy.api.workers.nursery import IDLE_S
@@ -128,19 +129,24 @@ async def _has_next(pool: Pool) -> int:
     return pool.nursery.next_pid or 0
 
 
-def test_a_nursery_that_was_killed_is_renewed_though_nobody_needs_it(nursery: Nursery) -> None:
-    """Here from nothing, for nothing was forked to take its place. What is wrong is told meanwhile."""
+def test_a_nursery_that_was_killed_is_renewed_though_nobody_needs_it(
+    nursery: Nursery, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Here from nothing, for nothing was forked to take its place. What is wrong is told meanwhile. The worker that is
+    forked at once is replaced by one that is warm."""
+    monkeypatch.setattr(pool_module, "_COLD_FOR_S", 2 * IDLE_S)
 
     async def scenario(own: Nursery) -> None:
         async with _pool(own) as pool:
             os.kill(own.pid, signal.SIGKILL)
+            _kill(pool)
             while "forks" not in (await pool.trouble() or ""):
                 await asyncio.sleep(0.01)
             await _until(lambda: pool.nursery is not own)
             await _short(pool)
             assert await pool.trouble() is None
-            await asyncio.sleep(1.5 * IDLE_S)  # so that it warms up, which must not keep it from forking
-            _kill(pool)
+            assert [worker.is_warm for worker in pool._workers()] == [False]
+            await _until(lambda: [worker.is_warm for worker in pool._workers()] == [True])
             await _short(pool)
 
     with nursery.divided() as own:
