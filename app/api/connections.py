@@ -47,9 +47,9 @@ READ_BYTES, READ_IN_PARTS_BYTES = 1 << 13, 1 << 11
 be hundreds of tiny ones in it, and all other connections wait until they are parsed."""
 
 
-REQUESTS_A_SECOND, REQUESTS_AT_ONCE = 300.0, 1000
-"""More requests than these from one address wait, whatever they ask for: answering them would take the event loop from
-others. A page of the studio asks for some two hundred files."""
+REQUESTS_A_SECOND, REQUESTS_AT_ONCE = 150.0, 1000
+"""More requests than these from one address, a second for each worker, wait, whatever they ask for: answering them would
+take the event loop from others. A page of the studio asks for some two hundred files."""
 
 LONG_PIECE_S, RESTS = 0.0003, 3
 """After a piece in parts that took longer to parse, in processor time, its connection is not read for so many times as
@@ -230,7 +230,7 @@ def _taken_bytes(transport: asyncio.Transport) -> int:
 
 def limited_protocol(settings: Settings) -> type[LimitedProtocol]:
     """The protocol class with these settings, for uvicorn."""
-    frequency = Frequency(REQUESTS_A_SECOND, REQUESTS_AT_ONCE)
+    frequency = Frequency(REQUESTS_A_SECOND * settings.worker_count, REQUESTS_AT_ONCE)
     members: dict[str, Any] = {"settings": settings, "frequency": frequency}
     return type("LimitedProtocol", (LimitedProtocol,), members)
 

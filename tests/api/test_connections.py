@@ -225,7 +225,7 @@ def test_who_asks_too_often_waits_and_is_answered(monkeypatch: pytest.MonkeyPatc
     """Twenty at once, of whom ten wait for .05 s each, on one connection."""
     monkeypatch.setattr(connections, "REQUESTS_A_SECOND", 20.0)
     monkeypatch.setattr(connections, "REQUESTS_AT_ONCE", 10)
-    with served() as (_server, connect), connect() as client:
+    with served(workers=1) as (_server, connect), connect() as client:
         began_s = time.monotonic()
         client.sendall(GET * 19 + GET.replace(b"\r\n\r\n", b"\r\nConnection: close\r\n\r\n"))
         assert b"".join(received(client)).count(b"HTTP/1.1 200") == 20
@@ -235,7 +235,7 @@ def test_who_asks_too_often_waits_and_is_answered(monkeypatch: pytest.MonkeyPatc
 def test_who_asks_too_often_waits_on_a_new_connection_too(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(connections, "REQUESTS_A_SECOND", 5.0)
     monkeypatch.setattr(connections, "REQUESTS_AT_ONCE", 1)
-    with served() as (_server, connect):
+    with served(workers=1) as (_server, connect):
         began_s = time.monotonic()
         for _ in range(4):
             with connect() as client:
