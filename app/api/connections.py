@@ -48,8 +48,8 @@ be hundreds of tiny ones in it, and all other connections wait until they are pa
 
 
 REQUESTS_A_SECOND, REQUESTS_AT_ONCE = 150.0, 1000
-"""More requests than these from one address, a second for each worker, wait, whatever they ask for: answering them would
-take the event loop from others. A page of the studio asks for some two hundred files."""
+"""More requests than these from one address, a second for each worker, wait, whatever they ask for: answering them
+would take the event loop from others. A page of the studio asks for some two hundred files."""
 
 LONG_PIECE_S, RESTS = 0.0003, 3
 """After a piece in parts that took longer to parse, in processor time, its connection is not read for so many times as
