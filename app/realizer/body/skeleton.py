@@ -156,7 +156,7 @@ def _place(
     at_m, turned, local = (each.swapaxes(0, -2) for each in (positions, orientations, rotations))
     generations = _generations(skeleton, only)
     for joints, parents in generations.each:
-        turned[joints] = multiply(turned.take(parents, axis=0), local.take(joints, axis=0))
+        turned[joints] = multiply(turned.take(parents, axis=0), local[joints])
     offsets_m = generations.offsets_m.reshape(-1, *(1,) * (turned.ndim - 2), 3)
     ways_m, begun = rotate(turned.take(generations.parents, axis=0), offsets_m), 0
     for joints, parents in generations.each:

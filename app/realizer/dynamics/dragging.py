@@ -38,8 +38,8 @@ _AT_EASE = 0.4
 _JOINTS: FloatArray = np.array([1.0, 1.0, 0.7])
 """The shares of a finger's three joints in its curl."""
 
-_MIRRORS: FloatArray = np.stack((np.ones(4), MIRROR))[:, None, None]
-"""What makes rotations (2, T, J, 4) of the left and the right arm those of two left ones."""
+_MIRRORS: FloatArray = np.stack((np.ones(4), MIRROR))
+"""What makes rotations of the left and the right arm those of two left ones."""
 
 
 def drag(
@@ -53,8 +53,8 @@ def drag(
     speeds = np.gradient(wrists_m, step_s, axis=1)
     noise = perlins(times_s, Noise(_LIFE_HZ, 2 * seed + 1, 8)).reshape(-1, 2, 4)
     curls = np.radians(style.life_deg * life) * (noise + _AT_EASE)
-    upper = np.stack([arm[:, : _HAND + 1] for arm in arms]) * _MIRRORS
-    across = smoothed(_across_the_hand(upper, speeds).swapaxes(0, 1), _SMOOTH_S / step_s)
+    across = np.stack([_across_the_hand(*each) for each in zip(arms, _MIRRORS, speeds, strict=True)], axis=1)
+    across = smoothed(across, _SMOOTH_S / step_s)
     late = _delayed(across, style.hand_lag_s / step_s)
     turns = np.zeros((len(times_s), len(arms), 3))
     turns[..., 1] = _ASIDE * np.radians(style.hand_deg) * late[..., 1]
@@ -63,18 +63,17 @@ def drag(
     lags = (style.hand_lag_s + (1 + finger) * style.finger_lag_s for finger in range(4))
     behind = np.stack([_delayed(across[..., 0], lag_s / step_s) for lag_s in lags], axis=-1)
     curled = np.radians(style.fingers_deg) * behind + curls
-    for number, (arm, [mirror]) in enumerate(zip(arms, _MIRRORS[:, 0], strict=True)):
+    for number, (arm, mirror) in enumerate(zip(arms, _MIRRORS, strict=True)):
         arm[:, _HAND] = multiply(arm[:, _HAND], turned[:, number] * mirror)
         bends = (mirror[2] * -_within(curled[:, number], arm))[:, :, None] * _JOINTS
         turn_about_z(arm[:, _FINGERS], bends.reshape(len(bends), -1))
 
 
-def _across_the_hand(arms: FloatArray, speeds: FloatArray) -> FloatArray:
-    """The speeds (2, T, 2) of the wrists of both arms (2, T, 4, 4) towards the back of the hand and towards the
-    thumb."""
-    upper = multiply(arms[..., _COLLARBONE, :], arms[..., _UPPER_ARM, :])
-    hand = multiply(multiply(upper, arms[..., _LOWER_ARM, :]), arms[..., _HAND, :])
-    return np.asarray(rotate(inverse(hand), speeds)[..., 1:])
+def _across_the_hand(arm: FloatArray, mirror: FloatArray, speed: FloatArray) -> FloatArray:
+    """The speeds (T, 2) of a wrist towards the back of the hand and towards the thumb."""
+    upper = multiply(arm[:, _COLLARBONE], arm[:, _UPPER_ARM])
+    hand = multiply(multiply(upper, arm[:, _LOWER_ARM]), arm[:, _HAND]) * mirror
+    return np.asarray(rotate(inverse(hand), speed)[:, 1:])
 
 
 def _delayed(values: FloatArray, frames: float) -> FloatArray:

@@ -7,6 +7,8 @@ stored once.
 import json
 import struct
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from io import BytesIO
 from typing import Literal, TypeAlias
 
 import numpy as np
@@ -26,21 +28,46 @@ _SHAPES = {(): "SCALAR", (2,): "VEC2", (3,): "VEC3", (4,): "VEC4", (4, 4): "MAT4
 _MAGIC, _VERSION, _JSON_CHUNK, _BINARY_CHUNK = 0x46546C67, 2, 0x4E4F534A, 0x004E4942
 
 
-class Accessors:
-    """Collects the accessors of a file and the bytes of its buffer.
+_LARGE = 2**16
+"""Bytes from which on arrays are neither compared with others nor copied before they are written."""
 
-    `views`, `accessors` and `content` are those that the file already has, in one buffer.
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Converted:
+    """An array that is written as 32-bit floats."""
+
+    values: FloatArray
+
+    def __len__(self) -> int:
+        return 4 * self.values.size
+
+    def content(self) -> bytes:
+        return self.values.astype("<f4", copy=False).tobytes()
+
+
+Chunk: TypeAlias = bytes | _Converted
+"""A part of the buffer."""
+
+
+class Accessors:
+    """Collects the accessors of a file and the content of its buffer.
+
+    `views`, `accessors` and `content` are those that the file already has, in one buffer. Large arrays are converted
+    one by one as the file is written, so that ten minutes are in memory once; until then they must not change.
     """
 
     def __init__(self, views: Sequence[Json] = (), accessors: Sequence[Json] = (), content: bytes = b"") -> None:
         self._views = list(views)
-        self._accessors = list(accessors)
-        self._chunks = [content, b"\0" * (-len(content) % 4)]
-        self._length = sum(map(len, self._chunks))
+        self._accessors: list[Json] = list(accessors)
+        self._chunks: list[Chunk] = [content, b"\0" * (-len(content) % 4)]
+        self._length = len(content) + -len(content) % 4
         self._known: dict[tuple[str, str, bytes], int] = {}
 
     def floats(self, values: FloatArray, *, bounds: bool = False, target: Target | None = None) -> int:
         """Add 32-bit floats (N, …), with their minimum and maximum if `bounds`; returns the accessor's index."""
+        if 4 * values.size >= _LARGE and not bounds:
+            self._described(_Converted(values), values, FLOAT, target)
+            return len(self._accessors) - 1
         return self._add(values.astype("<f4", copy=False), FLOAT, bounds=bounds, target=target)
 
     def indices(self, triangles: IntArray) -> int:
@@ -82,9 +109,14 @@ class Accessors:
             "buffers": [{"byteLength": self._length}],
         }
 
-    def content(self) -> list[bytes]:
-        """The chunks of the buffer."""
-        return self._chunks
+    @property
+    def length(self) -> int:
+        """The length of the buffer in bytes."""
+        return self._length
+
+    def write(self, file: BytesIO) -> None:
+        """Write the buffer."""
+        file.writelines(chunk.content() if isinstance(chunk, _Converted) else chunk for chunk in self._chunks)
 
     def _add(
         self, stored: NDArray[np.generic], component: int, *, bounds: bool = False, target: Target | None = None
@@ -93,23 +125,28 @@ class Accessors:
         key = (str(stored.shape), str((stored.dtype, bounds, target)), content)
         if key in self._known:
             return self._known[key]
-        accessor: dict[str, Json] = {
-            "bufferView": self._view(content, target),
-            "componentType": component,
-            "count": len(stored),
-            "type": _SHAPES[stored.shape[1:]],
-        }
+        accessor = self._described(content, stored, component, target)
         if bounds:
-            accessor |= {
-                "min": np.atleast_1d(stored.min(axis=0)).tolist(),
-                "max": np.atleast_1d(stored.max(axis=0)).tolist(),
-            }
-        self._accessors.append(accessor)
-        if len(content) < 2**16:
+            ends = {"min": stored.min(axis=0), "max": stored.max(axis=0)}
+            accessor |= {name: np.atleast_1d(end).tolist() for name, end in ends.items()}
+        if len(content) < _LARGE:
             self._known[key] = len(self._accessors) - 1
         return len(self._accessors) - 1
 
-    def _view(self, content: bytes, target: Target | None = None) -> int:
+    def _described(
+        self, content: Chunk, values: NDArray[np.generic], component: int, target: Target | None
+    ) -> dict[str, Json]:
+        """The accessor of these values (N, …), added as the last one; `content` is a view of its own."""
+        accessor: dict[str, Json] = {
+            "bufferView": self._view(content, target),
+            "componentType": component,
+            "count": len(values),
+            "type": _SHAPES[values.shape[1:]],
+        }
+        self._accessors.append(accessor)
+        return accessor
+
+    def _view(self, content: Chunk, target: Target | None = None) -> int:
         view: dict[str, Json] = {"buffer": 0, "byteOffset": self._length, "byteLength": len(content)}
         if target:
             view["target"] = _TARGETS[target]
@@ -125,11 +162,12 @@ def to_glb_bytes(tree: Mapping[str, Json], accessors: Accessors) -> bytes:
     asset = {"version": "2.0", "generator": f"Understudy {__version__}"}
     described = json.dumps({"asset": asset, **tree, **accessors.tree()}, separators=(",", ":")).encode()
     described += b" " * (-len(described) % 4)
-    chunks = accessors.content()
-    length = sum(map(len, chunks))
-    header = struct.pack("<III", _MAGIC, _VERSION, 12 + 8 + len(described) + 8 + length)
-    json_header = struct.pack("<II", len(described), _JSON_CHUNK)
-    return b"".join([header, json_header, described, struct.pack("<II", length, _BINARY_CHUNK), *chunks])
+    length, file = accessors.length, BytesIO()
+    file.write(struct.pack("<III", _MAGIC, _VERSION, 12 + 8 + len(described) + 8 + length))
+    file.write(struct.pack("<II", len(described), _JSON_CHUNK) + described)
+    file.write(struct.pack("<II", length, _BINARY_CHUNK))
+    accessors.write(file)
+    return file.getvalue()
 
 
 def joint_nodes(skeleton: Skeleton) -> list[dict[str, Json]]:
@@ -157,7 +195,7 @@ class Tracks:
         stored = values.astype(np.float32, copy=False)
         moves = bool(np.any(stored != stored[:1]))
         frames = slice(0, 1) if not moves else slice(None) if keys is None else list(keys)
-        kept, times_s = stored[frames], self._times_s[frames]
+        kept, times_s = values[frames], self._times_s[frames]
         if path == "weights":
             kept = kept.reshape(-1)
         sampler: Json = {
