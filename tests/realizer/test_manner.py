@@ -72,3 +72,16 @@ def test_palms_that_show_something_tiny_are_not_opened_wide_by_a_big_voice(reali
     tiny = gesture("NARROW", Hand.BOTH, Slots(size=Size.TINY, size_m=0.02))
     usual, big = (stroke(realizer, replace(tiny, manner=manner)) for manner in (Manner(), Manner(amplitude=1.6)))
     assert big[0] < 1.35 * usual[0]
+
+
+@pytest.mark.parametrize("lexeme", ["ME", "HAND_ON_HEART", "THINK", "MIME_HUSH", "MIME_DRINK"])
+def test_a_hand_at_the_own_body_is_there_in_any_voice_and_comes_from_farther_in_a_bigger_one(
+    realizer: Realizer, lexeme: str
+) -> None:
+    least, most = Manner(amplitude=0.35), Manner(amplitude=2.0)
+    small, usual, big = (
+        stroke(realizer, replace(gesture(lexeme), manner=manner)) for manner in (least, Manner(), most)
+    )
+    assert np.linalg.norm(small[2] - usual[2]) < 0.04
+    assert np.linalg.norm(big[2] - usual[2]) < 0.04
+    assert big[0] > 1.2 * small[0]

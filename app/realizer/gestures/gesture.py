@@ -236,6 +236,12 @@ class Definition:
     manner: GestureManner = PLAIN_MANNER
     waves: bool = False
 
+    @property
+    def at_the_body(self) -> bool:
+        """Whether it grows in no agitation, as those do whose place is a part of the body."""
+        calm, agitated = self.levels.get(Level.MEDIUM), self.levels.get(Level.HIGH)
+        return calm is not None and agitated is not None and agitated.amplitude <= calm.amplitude
+
 
 @dataclass(frozen=True, slots=True)
 class Markers:
@@ -268,7 +274,7 @@ class Clip:
 
     `stroke_speed_m_s` is the mean speed of the leading hand from `stroke_start` to `stroke_end` (paper §3.8, v). Space
     and pace of the `manner` are in `expressivity` and in the times already. The stroke of one that `waves` swings to
-    and fro.
+    and fro. One `at_the_body` is as big in any voice: its stroke ends at the chest, the temple, the mouth.
     """
 
     name: str
@@ -283,3 +289,4 @@ class Clip:
     tracks: tuple[OffsetTrack, ...] = ()
     manner: GestureManner = PLAIN_MANNER
     waves: bool = False
+    at_the_body: bool = False

@@ -60,6 +60,7 @@ def clip(definition: Definition, level: Level, hand: Hand, category: str) -> Cli
         tracks=definition.tracks,
         manner=definition.manner,
         waves=definition.waves and _turns(definition.frames, markers) >= LEAST_TURNS,
+        at_the_body=definition.at_the_body,
     )
 
 

@@ -34,7 +34,7 @@ from ..gestures.gesture_plan import (
 )
 from ..head_and_gaze.gaze_targets import unknown_target, with_target
 from ..showing.directions import aims_m
-from ..showing.slot_clips import as_shown, finger_first, showing, shown_decisions
+from ..showing.slot_clips import as_shown, finger_first, in_its_place, showing, shown_decisions
 from .arm_timelines import ArmTimeline, arm_timeline, rest_changes, units_of
 from .pruning import KeptGestures, admit, obstacle
 from .repetition import is_held_long, let_go_in_time, repeats_until_s, told_repeats, with_beats, with_repeats
@@ -182,7 +182,7 @@ class Draw:
             return [], told
         before = [each.clip.name for each in kept if each.clip.category == clips[0].category]
         order = finger_first(shuffled(clips, before[-1] if before else None, self.rng), request)
-        plain = [with_target(place_clip(clip, request), self.targets_m) for clip in order]
+        plain = [in_its_place(with_target(place_clip(clip, request), self.targets_m)) for clip in order]
         return [_late_ones_last(self._made(plain, shown_m))], told
 
     def _made(self, plain: Sequence[PlacedGesture], shown_m: Mapping[str, Position]) -> Iterator[PlacedGesture]:

@@ -103,6 +103,16 @@ def showing(placed: PlacedGesture, aims_m: Mapping[str, Position]) -> PlacedGest
     return placed
 
 
+def in_its_place(placed: PlacedGesture) -> PlacedGesture:
+    """A gesture at the body in its usual size, so that the hand is at the chest or the temple in any voice: from how
+    far it comes is the voice's."""
+    if not placed.clip.at_the_body or placed.request.manner.amplitude == 1.0:
+        return placed
+    usual = _in_usual_size(placed)
+    ends_m = {side: stroke_end_m(usual, side) for side in usual.arms}
+    return replace(usual, clip=begun_in_time(usual.clip, ends_m, amplitude(usual), placed.request.manner))
+
+
 def _in_usual_size(placed: PlacedGesture) -> PlacedGesture:
     """The gesture as big as it is in a usual voice."""
     request = placed.request
