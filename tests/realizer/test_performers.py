@@ -1,6 +1,7 @@
 """Every character realizes the same schedule as itself: its body, its manner, its files."""
 
 import json
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -18,6 +19,7 @@ from understudy.realizer.torso.balance import standing
 
 NAMES = ("default", "expansive", "formal_elder", "reserved")
 LEXEMES = ("ME", "SURROUND", "PALMS_TOGETHER", "HAND_ON_HEART", "MIME_BELLY", "UP")
+MOST_BYTES = 3_000_000
 
 
 @pytest.fixture(scope="module")
@@ -88,6 +90,14 @@ def test_files_have_the_body_of_their_character(realizer: Realizer) -> None:
         joints.append([node.get("translation") for node in tree["nodes"]][1])
     assert all(smaller < larger - 0.1 for smaller, larger in pairwise(heights_m))
     assert len({tuple(joint) for joint in joints}) == 3
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_line_with_its_mannequin_is_at_most_three_megabytes(name: str, realizer: Realizer) -> None:
+    """Seven seconds of gestures at 60 frames a second."""
+    line = replace(schedule(name), behaviors=schedule(name).behaviors[:3], duration_s=7.0)
+    realized = RealizedSchedule(line, realize(realizer, line, frame_rate_hz=60))
+    assert len(write_motion(realized, realizer, MotionFormat.GLB)) <= MOST_BYTES
 
 
 def test_who_is_not_in_the_lexicon_has_an_average_body_and_it_is_said(realizer: Realizer) -> None:

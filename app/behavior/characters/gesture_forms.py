@@ -53,6 +53,7 @@ def _with_forms(entry: BehaviorEntry, table: GestureTable, level: Level, manner:
     forms = {hand: tuple(form.in_manner(manner) for form in of_hand) for hand, of_hand in found.items()}
     if not forms:
         return entry
+    entry = entry.at(level)
     longest_s = _briefest_s(_of_hands(forms, entry.hand))
     brief = {hand: tuple(form.within(longest_s) for form in of_hand) for hand, of_hand in forms.items()}
     return replace(

@@ -5,7 +5,7 @@ mistakes in the file are reported at once, with their places.
 """
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from pathlib import Path
 from types import MappingProxyType
@@ -15,7 +15,7 @@ from pydantic import AfterValidator, Field
 
 from ...authored_folders import tables_of
 from ...errors import AuthoringError, did_you_mean
-from ...model import Channel, Hand
+from ...model import Channel, Hand, Level
 from ...model.limits import Forms
 from ...model.tables import ACTION_UNITS, CORE_LEXEMES, GAZE_LEXEMES, GazeDirection
 from ...yaml_files import Entry, Source
@@ -73,8 +73,9 @@ class BriefGesture:
 @dataclass(frozen=True, slots=True)
 class BehaviorEntry:
     """An entry of the table. A gesture whose `hand` is None takes the hand in use, or the one the character prefers.
-    `forms` are those of the gesture library by hand, where they are known, and `brief` is the gesture with a shortened
-    stroke."""
+    At the levels of agitation `one_hand_at` one hand makes what both make otherwise, at `both_hands_at` both make what
+    one does. `forms` are those of the gesture library by hand, where they are known, and `brief` is the gesture with a
+    shortened stroke."""
 
     name: str
     channel: Channel
@@ -86,8 +87,16 @@ class BehaviorEntry:
     repetitions: int | None = None
     target: str | None = None
     direction: str | None = None
+    one_hand_at: tuple[Level, ...] = ()
+    both_hands_at: tuple[Level, ...] = ()
     forms: Mapping[Hand, Forms] = field(default_factory=dict)
     brief: BriefGesture | None = None
+
+    def at(self, level: Level) -> "BehaviorEntry":
+        """The entry with the hand, or hands, of that level."""
+        if level in self.one_hand_at and self.hand is Hand.BOTH:
+            return replace(self, hand=None)
+        return replace(self, hand=Hand.BOTH) if level in self.both_hands_at else self
 
 
 def _in_order(durations: tuple[float, float]) -> tuple[float, float]:
@@ -142,6 +151,8 @@ class BehaviorLine(BehaviorChange):
     channel: Channel
     lexeme: _Lexeme
     timing: str
+    one_hand_at: tuple[Level, ...] = ()
+    both_hands_at: tuple[Level, ...] = ()
 
 
 class _TableAddition(Entry):
@@ -177,6 +188,8 @@ class BehaviorTable:
             repetitions=line.repetitions,
             target=line.target,
             direction=line.direction,
+            one_hand_at=line.one_hand_at,
+            both_hands_at=line.both_hands_at,
         )
 
 
@@ -204,8 +217,11 @@ def load_table(path: Path) -> BehaviorTable:
 
 
 def changed(line: BehaviorLine, change: BehaviorChange | None) -> BehaviorLine:
-    """The line with the values that are set in `change`."""
-    return line if change is None else line.model_copy(update=change.model_dump(exclude_none=True))
+    """The line with the values that are set in `change`; a hand that is set there is the hand at every level."""
+    if change is None:
+        return line
+    at_every_level = {"one_hand_at": (), "both_hands_at": ()} if change.hand else {}
+    return line.model_copy(update=change.model_dump(exclude_none=True) | at_every_level)
 
 
 def mistakes_of(line: BehaviorLine, timings: Mapping[str, TimingEntry]) -> Iterator[tuple[str, str]]:
@@ -218,6 +234,7 @@ def mistakes_of(line: BehaviorLine, timings: Mapping[str, TimingEntry]) -> Itera
     for key, channels in _KEYS_OF_CHANNELS.items():
         if getattr(line, key) is not None and channel not in channels:
             yield key, f"{key} is for {' and '.join(sorted(channels))}, this is {channel}"
+    yield from _hand_mistakes(line)
     if channel in (Channel.FACE, Channel.EYES) and line.lexeme not in _FACES:
         yield "lexeme", f"no face is called {line.lexeme!r}{did_you_mean(line.lexeme, _FACES)}"
     if channel is Channel.GAZE:
@@ -235,6 +252,13 @@ _KEYS_OF_CHANNELS: Mapping[str, frozenset[Channel]] = MappingProxyType(
         "direction": frozenset({Channel.GAZE}),
     }
 )
+
+
+def _hand_mistakes(line: BehaviorLine) -> Iterator[tuple[str, str]]:
+    if line.one_hand_at and line.hand is not Hand.BOTH:
+        yield "one_hand_at", "one_hand_at is for what both hands make: give it `hand: both`"
+    if line.both_hands_at and (line.hand is not None or line.channel is not Channel.GESTURE):
+        yield "both_hands_at", "both_hands_at is for gestures without a `hand` of their own"
 
 
 def _gaze_mistakes(line: BehaviorLine) -> Iterator[tuple[str, str]]:

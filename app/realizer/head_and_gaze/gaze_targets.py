@@ -60,6 +60,9 @@ OPENING_S = 0.5
 AT_EASE = np.radians([18.0, 24.0])
 """How far eyes rotate vertically and horizontally before the head assists."""
 
+LOWEST_HEAD = np.radians(45.0)
+"""How far down a look takes the head: nobody puts the chin on the chest to see the ground, the eyes do the rest."""
+
 _NOWHERE: FloatArray = np.zeros(3)
 
 
@@ -102,11 +105,13 @@ def gaze_targets(
     head = shares[:, :1] * line[:, :2]
     beyond = line[:, 1:2] - np.clip(line[:, 1:2], -TRUNK_AT_EASE, TRUNK_AT_EASE)
     in_head = (line + glance)[:, :2] - head
+    head += in_head - np.clip(in_head, -AT_EASE, AT_EASE)
+    head[:, 0] = np.minimum(head[:, 0], LOWEST_HEAD)
     return GazeTargets(
         starts_s=np.array([each.at_s for each in lines[1:]]),
         within_s=np.array([each.within_s for each in lines[1:]]),
         eyes=line + glance,
-        head=head + in_head - np.clip(in_head, -AT_EASE, AT_EASE),
+        head=head,
         trunk=np.clip(shares[:, 1:] * beyond, -TRUNK_LIMIT, TRUNK_LIMIT),
     )
 

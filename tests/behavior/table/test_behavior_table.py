@@ -6,9 +6,9 @@ import pytest
 from understudy.behavior.candidates.attitudes import load_attitudes
 from understudy.behavior.candidates.targets import LOOK
 from understudy.behavior.reading.families import load_families
-from understudy.behavior.table.behavior_table import UNASKED, Anchor, load_table
+from understudy.behavior.table.behavior_table import UNASKED, Anchor, BehaviorChange, load_table
 from understudy.errors import AuthoringError
-from understudy.model import Channel, Hand
+from understudy.model import Channel, Hand, Level
 
 TABLE = Path(__file__).resolve().parents[3] / "lexicon" / "behaviors.yaml"
 
@@ -48,9 +48,25 @@ def test_an_entry_has_what_its_line_says_and_nothing_else() -> None:
     assert (entry.amount, entry.target, entry.direction, entry.repetitions) == (None, None, None, None)
 
 
+def test_one_hand_makes_when_calm_what_both_make_otherwise_and_both_when_agitated_what_one_does() -> None:
+    table = load_table(TABLE)
+    by_both, by_one = table.entry("gesture_accept"), table.entry("gesture_give_idea")
+    assert [by_both.at(level).hand for level in Level] == [None, Hand.BOTH, Hand.BOTH]
+    assert [by_one.at(level).hand for level in Level] == [None, None, Hand.BOTH]
+
+
+def test_a_hand_that_a_character_sets_is_the_hand_at_every_level() -> None:
+    table = load_table(TABLE)
+    entry = table.entry("gesture_accept", BehaviorChange(hand=Hand.BOTH))
+    assert {entry.at(level).hand for level in Level} == {Hand.BOTH}
+
+
 @pytest.mark.parametrize(
     ("line", "message"),
     [
+        ("{channel: gesture, lexeme: X, timing: nod, one_hand_at: [low]}", "give it `hand: both`"),
+        ("{channel: gesture, lexeme: X, timing: nod, hand: left, both_hands_at: [high]}", "without a `hand`"),
+        ("{channel: head, lexeme: NOD, timing: nod, both_hands_at: [high]}", "is for gestures"),
         ("{channel: head, lexeme: NOD, timing: nodd}", "unknown timing 'nodd'; did you mean 'nod'"),
         ("{channel: head, lexeme: NOD, timing: nod, hand: left}", "hand is for gesture, this is head"),
         ("{channel: posture, lexeme: LEAN, timing: look, amount: 0.5}", "amount is for"),

@@ -5,7 +5,14 @@ import pytest
 
 from tests.support.motion.movements import behavior, schedule
 from understudy.model import Channel
-from understudy.realizer.head_and_gaze.gaze_targets import AT_EASE, DIRECTIONS, HEAD_SHARE, LISTENER_M, gaze_targets
+from understudy.realizer.head_and_gaze.gaze_targets import (
+    AT_EASE,
+    DIRECTIONS,
+    HEAD_SHARE,
+    LISTENER_M,
+    LOWEST_HEAD,
+    gaze_targets,
+)
 
 FROM_M = np.array([0.0, LISTENER_M[1], 0.0])
 
@@ -42,6 +49,15 @@ def test_the_head_helps_eyes_that_would_be_strained() -> None:
     aside, _back = degrees(("GLANCE", 1.0, {"direction": "LEFT", "amount": 0.6}))
     assert aside[1] == pytest.approx([0, 36])
     assert aside[2] == pytest.approx([0, 36 - np.degrees(AT_EASE[1])])
+
+
+def test_no_look_puts_the_chin_on_the_chest() -> None:
+    """At the own feet the eyes look all the way down, the head does not go along."""
+    looks = (behavior(Channel.GAZE, "LOOK", 1.0, 1.1, 2.0, 2.1, target=name) for name in ("feet", "ceiling"))
+    aims = gaze_targets(schedule(*looks), FROM_M, {"feet": (0.0, 0.0, 0.4), "ceiling": (0.0, 4.0, 0.8)})
+    assert np.degrees(aims.eyes[1, 0]) > 70
+    assert aims.head[1, 0] == pytest.approx(LOWEST_HEAD)
+    assert aims.head[2, 0] < -LOWEST_HEAD
 
 
 def test_of_two_gazes_the_later_one_has_the_eyes_until_it_ends() -> None:
