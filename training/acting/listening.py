@@ -54,7 +54,7 @@ IMAGINED_TONE = 0.6
 MEASURED_SHARE, FEWEST_MEASURED = 0.7, 5
 TONE_MISHEARD = 0.25
 DROPPED_WHOLE, DROPPED_PART = 0.2, 0.12
-WORDS_ALONE_SHARE, FLAT_SHARE = 0.4, 0.3
+WORDS_ALONE_SHARE, FLAT_SHARE = 0.33, 0.42
 """Of the lines without a delivery, those read as words alone, and those read as said without expression."""
 
 
