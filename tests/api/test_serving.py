@@ -119,7 +119,7 @@ def test_only_a_proxy_that_is_named_says_who_calls(
     def caller(request: Request) -> str:
         return request.client.host if request.client else ""
 
-    loaded: uvicorn.Config = configuration(app, Settings(), {"version": 1})
+    loaded: uvicorn.Config = configuration(app, Settings(), {"version": 1, "disable_existing_loggers": False})
     loaded.load()
     client = TestClient(loaded.loaded_app, client=("127.0.0.1", 1))
     assert client.get("/", headers={"X-Forwarded-For": "192.0.2.7"}).json() == address
