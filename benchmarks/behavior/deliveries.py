@@ -1,6 +1,7 @@
 """How far a performance follows the delivery: the same words said differently, each directed on its own.
 
-    python -m benchmarks.behavior.deliveries [--directing FOLDER] [--choice terms|priority] [--as-written] [--seed N]
+    python -m benchmarks.behavior.deliveries [--directing FOLDER] [--choice terms|priority] [--as-written]
+        [--seed N] [--record]
 
 Performs the recorded deliveries of the folder `deliveries` and prints the figures of its deliveries.py: agreement with
 the directors, deliveries told apart, strokes on the focus. With --as-written the performance is told the focus, tone
@@ -13,19 +14,32 @@ import importlib.util
 import json
 import os
 import sys
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from benchmarks.behavior.agreement import Bars, agreement, record_all
 from benchmarks.behavior.directing import gestures_of, load_score, others_of
+from benchmarks.figures import add_record_option
 from training.acting.listening import TONES
 from understudy.model import Affect, Agitation, Line, LineAffect, Tone, Utterance
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import analyze, perform_analysis
 from understudy.settings import Settings
+
+BARS: Bars = {
+    "F": ("≥ 0.52", "≥ 0.65"),
+    "accepted F": (None, None),
+    "forbidden": (None, None),
+    "head done": ("≥ 0.50", "≥ 0.7"),
+    "face done": ("≥ 0.50", "≥ 0.7"),
+    "told apart": ("≥ 0.80", "≥ 0.92"),
+    "on the focus": ("≥ 0.88", "≥ 0.95"),
+}
 
 READERS = ("a.jsonl", "b.jsonl", "c.jsonl")
 
@@ -60,8 +74,8 @@ def as_written(utterance: Utterance, line: Mapping[str, Any]) -> Utterance:
     )
 
 
-def measure(directing: Path, options: Options, *, told: bool) -> None:
-    """Performs the deliveries and prints the figures; `told` the performance knows them as written."""
+def measure(directing: Path, options: Options, *, told: bool) -> dict[str, float]:
+    """Performs the deliveries and prints the figures; `told` the performance knows them as written. Returns them."""
     folder = directing / "deliveries"
     lines = [json.loads(line) for line in (folder / "lines.jsonl").read_text(encoding="utf-8").splitlines()]
     did = {}
@@ -77,7 +91,11 @@ def measure(directing: Path, options: Options, *, told: bool) -> None:
             did[line["id"]] = (gestures_of(score, performance), *others_of(score, performance))
     directors = [score.read(folder / name) for name in READERS]
     records = {name: [director[name] for director in directors] for name in did}
-    load_deliveries(directing, score).report(f"{len(did)} deliveries", lines, records, did)
+    deliveries = load_deliveries(directing, score)
+    _f, apart, focused = deliveries.report(f"{len(did)} deliveries", lines, records, did)
+    counts = sum((deliveries.counts(records[name], each) for name, each in did.items()), Counter[str]())
+    own = {"told apart": round(apart, 3), "on the focus": round(focused, 3)}
+    return agreement(score, counts, len(did)) | own
 
 
 def main() -> None:
@@ -86,9 +104,12 @@ def main() -> None:
     parser.add_argument("--choice", choices=("terms", "priority"), default="terms")
     parser.add_argument("--as-written", action="store_true")
     parser.add_argument("--seed", type=int, default=0)
+    add_record_option(parser)
     arguments = parser.parse_args()
     os.environ["UNDERSTUDY_CHOICE"] = arguments.choice
-    measure(arguments.directing, Options(seed=arguments.seed), told=arguments.as_written)
+    figures = measure(arguments.directing, Options(seed=arguments.seed), told=arguments.as_written)
+    if arguments.record:
+        record_all("84 deliveries", figures, BARS)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Agreement with directors: the bars of the choice of gestures, head movements and faces.
 
-    python -m benchmarks.behavior.directing [--directing FOLDER] [--choice terms|priority] [--character NAME]
+    python -m benchmarks.behavior.directing [--directing FOLDER] [--choice terms|priority] [--character NAME] [--record]
     python -m benchmarks.behavior.directing --notes [--directing FOLDER]
     python -m benchmarks.behavior.directing --held-out READINGS.npz … --terms TERMS.pkl
 
@@ -30,6 +30,8 @@ from typing import Any
 
 import numpy as np
 
+from benchmarks.behavior.agreement import Bars, agreement, record_all
+from benchmarks.figures import add_record_option
 from training.acting.directed import FAMILIES, DirectedLine, folds_of, gesture_choices, read_lines
 from training.acting.thresholds import read_readings
 from training.acting.weights import examples_of, fitted, lexeme_worths, price_of
@@ -42,6 +44,17 @@ from understudy.options import Options
 from understudy.performance import analyze, perform_analysis
 from understudy.schemas.direction import read_direction
 from understudy.settings import Settings
+
+BARS: Bars = {
+    "F": ("≥ 0.64", "≥ 0.70"),
+    "accepted F": ("≥ 0.86", "≥ 0.92"),
+    "forbidden": ("≤ 0.012", "≤ 0.01"),
+    "strokes within a word, F": (None, None),
+    "gestures a line": ("≥ 2.0", "≤ 2.5"),
+    "head done": ("≥ 0.78", "≥ 0.85"),
+    "face done": ("≥ 0.76", "≥ 0.85"),
+    "tones right": ("≥ 0.82", "≥ 0.9"),
+}
 
 READERS = ("dev-a.jsonl", "dev-b.jsonl", "dev-c.jsonl")
 AFTER_STROKE_S = 0.06
@@ -85,8 +98,8 @@ def others_of(score: Any, performance: Performance) -> tuple[list[Any], list[Any
     return head, face
 
 
-def on_recordings(folder: Path, character: str) -> None:
-    """Performs and scores the lines that three directors read."""
+def on_recordings(folder: Path, character: str) -> dict[str, float]:
+    """Performs and scores the lines that three directors read; the figures."""
     total: Counter[str] = Counter()
     movements, seconds, spent_s, words = 0, 0.0, 0.0, 0
     with Understudy.load(Settings()) as understudy:
@@ -106,6 +119,7 @@ def on_recordings(folder: Path, character: str) -> None:
     score.show(f"{len(records[0])} lines", total, len(records[0]))
     print(f"movements a second, all channels: {movements / seconds:.2f}")
     print(f"planning, mapping, scheduling, writing: {1000 * 15 * spent_s / words:.1f} ms for 15 words")
+    return agreement(score, total, len(records[0]))
 
 
 def with_notes(folder: Path, character: str) -> None:
@@ -205,6 +219,7 @@ def main() -> None:
     parser.add_argument("--held-out", nargs="+", type=Path)
     parser.add_argument("--terms", type=Path)
     parser.add_argument("--folds", type=int, default=2)
+    add_record_option(parser)
     arguments = parser.parse_args()
     if arguments.held_out:
         held_out(arguments.directing, arguments.held_out, arguments.terms, arguments.folds)
@@ -213,7 +228,9 @@ def main() -> None:
         with_notes(arguments.directing, arguments.character)
         return
     os.environ["UNDERSTUDY_CHOICE"] = arguments.choice
-    on_recordings(arguments.directing, arguments.character)
+    figures = on_recordings(arguments.directing, arguments.character)
+    if arguments.record:
+        record_all("78 lines", figures, BARS)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Agreement with directors on held-out lines of each kind, by the words alone.
 
-    python -m benchmarks.behavior.kinds [--directing FOLDER] [--written 3] [--reader MODEL.onnx --of KIND …] [--twice]
+    python -m benchmarks.behavior.kinds [--directing FOLDER] [--written 3] [--reader MODEL.onnx --of KIND …]
+        [--twice] [--record]
 
 Performs the carefully directed lines that no reader was trained on (`training.acting.directed.is_held_out`; their kinds
 were), each word with a usual duration, and scores them with score.py of the folder against the one reading that each
@@ -22,7 +23,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any, TypeAlias
 
+from benchmarks.behavior.agreement import Bars, agreement, record_all
 from benchmarks.behavior.directing import gestures_of, load_score, others_of
+from benchmarks.figures import add_record_option
 from training.acting.directed import DirectedLine, is_held_out, read_lines
 from training.acting.held_out import timed
 from training.acting.second_readings import second_readings
@@ -34,6 +37,8 @@ from understudy.performance import perform_analysis
 from understudy.settings import Settings
 
 DRAWN_EVERY = 6
+
+BARS: Bars = {"F": ("≥ 0.52", "≥ 0.60"), "head done": (None, None), "face done": (None, None)}
 
 
 Readings: TypeAlias = Mapping[tuple[str, tuple[str, ...]], Sequence[DirectedLine]]
@@ -59,8 +64,8 @@ def with_second(readings: Readings) -> Readings:
     }
 
 
-def measure(directing: Path, readings: Readings, reader: Path | None) -> None:
-    """Performs and scores lines, and prints the agreement by kind."""
+def measure(directing: Path, readings: Readings, reader: Path | None) -> dict[str, float]:
+    """Performs and scores lines, and prints the agreement by kind; returns that of all."""
     totals: dict[str, Counter[str]] = defaultdict(Counter)
     counts: Counter[str] = Counter()
     with Understudy.load(Settings()) as loaded:
@@ -76,6 +81,7 @@ def measure(directing: Path, readings: Readings, reader: Path | None) -> None:
                 counts[name] += 1
     for name, total in totals.items():
         score.show(f"{name}, {counts[name]} lines", total, counts[name])
+    return agreement(score, totals["all"], counts["all"])
 
 
 def _with_reader(understudy: Understudy, reader: Path) -> Understudy:
@@ -110,6 +116,7 @@ def main() -> None:
     parser.add_argument("--of", nargs="+", default=[], help="kinds of lines")
     parser.add_argument("--reader", type=Path, help="a reader in place of the shipped one")
     parser.add_argument("--twice", action="store_true", help="score against two readings")
+    add_record_option(parser)
     options = parser.parse_args()
     among: Callable[[DirectedLine], bool] = is_held_out
     if options.of:
@@ -117,7 +124,11 @@ def main() -> None:
     elif options.written:
         among = partial(_is_of, series=options.written)
     readings = readings_once(options.directing, among)
-    measure(options.directing, with_second(readings) if options.twice else readings, options.reader)
+    figures = measure(options.directing, with_second(readings) if options.twice else readings, options.reader)
+    if options.record and among is is_held_out:
+        record_all(
+            f"held-out lines of known kinds, {'two readings' if options.twice else 'one reading'}", figures, BARS
+        )
 
 
 if __name__ == "__main__":
