@@ -6,12 +6,16 @@ Counts are kept by address; of more than `MOST_CLIENTS` addresses, those that as
 import time
 from collections import OrderedDict
 from collections.abc import Callable
+from typing import TypeVar
 
 from ...errors import TooManyError
 
 MOST_CLIENTS = 10_000
 WRONG_A_MINUTE = 20
 _MINUTE_S = 60.0
+
+Client = TypeVar("Client")
+Known = TypeVar("Known")
 
 
 class Rates:
@@ -34,10 +38,7 @@ class Rates:
             raise TooManyError("too_many_requests", message, retry_after_s=full_at_s - now_s - _MINUTE_S)
         if not times:
             return
-        self._full_at_s[client] = full_at_s
-        self._full_at_s.move_to_end(client)
-        while len(self._full_at_s) > MOST_CLIENTS:
-            self._full_at_s.popitem(last=False)
+        _keep(self._full_at_s, client, full_at_s)
 
 
 class Frequency:
@@ -51,10 +52,8 @@ class Frequency:
     def wait_s(self, client: str, times: int = 1) -> float:
         """How long this request of a client has to wait; `times` 0 is none yet."""
         now_s = self._clock()
-        full_at_s = max(self._full_at_s.pop(client, now_s), now_s) + times * self._each_s
-        self._full_at_s[client] = full_at_s
-        while len(self._full_at_s) > MOST_CLIENTS:
-            self._full_at_s.popitem(last=False)
+        full_at_s = max(self._full_at_s.get(client, now_s), now_s) + times * self._each_s
+        _keep(self._full_at_s, client, full_at_s)
         return max(0.0, full_at_s - now_s - self._at_once_s)
 
 
@@ -69,14 +68,20 @@ class Guesses:
         """Records a key from an address (`name` is None if it was wrong); the seconds until another may be tried, None
         if at once."""
         if name is not None and (address, name) in self._right:
-            self._right.move_to_end((address, name))
+            _keep(self._right, (address, name), None)
             return None
         try:
             self._wrong.take(address, times=name is None)
         except TooManyError as error:
             return error.retry_after_s
         if name is not None:
-            self._right[address, name] = None
-            while len(self._right) > MOST_CLIENTS:
-                self._right.popitem(last=False)
+            _keep(self._right, (address, name), None)
         return None
+
+
+def _keep(found: OrderedDict[Client, Known], client: Client, known: Known) -> None:
+    """Keeps what is known of a client as the last, and no more than `MOST_CLIENTS`."""
+    found[client] = known
+    found.move_to_end(client)
+    while len(found) > MOST_CLIENTS:
+        found.popitem(last=False)
