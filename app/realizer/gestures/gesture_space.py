@@ -54,12 +54,25 @@ HEIGHT: Mapping[HeightSector, float] = MappingProxyType(
 
 DEPTH_M: Mapping[Depth, float] = MappingProxyType({Depth.NEAR: 0.20, Depth.MIDDLE: 0.31, Depth.FAR: 0.42})
 
-_CENTRE_M = SIDEWAYS_M[Sideways.C], HEIGHT[HeightSector.CC] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[Depth.MIDDLE]
+NEAREST_M = 0.10
+"""An amplitude brings no wrist nearer to the body than this, unless its gesture does so by itself."""
+
+_CENTRE_M = np.array([SIDEWAYS_M[Sideways.C], HEIGHT[HeightSector.CC] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[Depth.MIDDLE]])
 
 
 def sector_m(place: SectorPlace, amplitude: float = 1.0) -> FloatArray:
     """The wrist's position (3,) for a place: outwards, above the hips, away. `amplitude` scales its distance from the
-    centre."""
-    sector = (SIDEWAYS_M[place.sideways], HEIGHT[place.height] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[place.depth])
-    placed = zip(_CENTRE_M, sector, place.offset_m, strict=True)
-    return np.array([centre + amplitude * (middle + offset - centre) for centre, middle, offset in placed])
+    centre, but a larger movement is not one into the chest."""
+    sector = SIDEWAYS_M[place.sideways], HEIGHT[place.height] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[place.depth]
+    unscaled_m = np.array(sector) + np.array(place.offset_m)
+    scaled_m = _CENTRE_M + amplitude * (unscaled_m - _CENTRE_M)
+    scaled_m[2] = max(scaled_m[2], min(unscaled_m[2], NEAREST_M))
+    return np.asarray(scaled_m)
+
+
+def offset_from_centre_m(wrist_m: FloatArray, amplitude: float) -> tuple[float, float, float]:
+    """The offset to the sector of the centre that brings the wrist to a position (3,) at that amplitude: what
+    `sector_m` undoes."""
+    x_m, y_m, z_m = (wrist_m - _CENTRE_M).tolist()
+    is_kept = amplitude > 1 and wrist_m[2] < NEAREST_M
+    return x_m / amplitude, y_m / amplitude, z_m if is_kept else z_m / amplitude

@@ -31,7 +31,7 @@ from ..gestures.gesture import (
     Wrist,
 )
 from ..gestures.gesture_plan import USUAL_MANNER
-from ..gestures.gesture_space import sector_m
+from ..gestures.gesture_space import offset_from_centre_m, sector_m
 
 Point = tuple[float, float, float]
 
@@ -39,7 +39,6 @@ TINY_M = 0.03
 """The greatest size that is shown between two fingers of one hand."""
 
 _CENTRE = SectorPlace(Sideways.C, HeightSector.CC, Depth.MIDDLE)
-_CENTRE_M = sector_m(_CENTRE)
 
 _PALM_M = 0.02
 """A flat hand's palm is so far below the wrist's joint, and two palms that face each other before theirs."""
@@ -165,8 +164,7 @@ def _key(clip: Clip, time_s: float, kind: FrameType, arm: ArmKey) -> ClipKey:
 
 
 def _place(point_m: Point) -> SectorPlace:
-    x, y, z = (float(each) for each in np.subtract(point_m, _CENTRE_M))
-    return replace(_CENTRE, offset_m=(x, y, z))
+    return replace(_CENTRE, offset_m=offset_from_centre_m(np.asarray(point_m), 1.0))
 
 
 def stretched(clip: Clip, amplitude: float) -> Clip:
@@ -244,8 +242,8 @@ def _moved(arm: ArmKey | None, moved: Callable[[FloatArray], FloatArray], amplit
     """The key with its place moved, as it is at that amplitude."""
     if arm is None or arm.place is None:
         return arm
-    x, y, z = _CENTRE_M + (moved(sector_m(arm.place, amplitude)) - _CENTRE_M) / amplitude
-    return replace(arm, place=_place((float(x), float(y), float(z))))
+    offset_m = offset_from_centre_m(moved(sector_m(arm.place, amplitude)), amplitude)
+    return replace(arm, place=replace(_CENTRE, offset_m=offset_m))
 
 
 def _at_most(way_m: FloatArray, longest_m: float) -> FloatArray:

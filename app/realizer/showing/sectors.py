@@ -19,7 +19,7 @@ from ..arms.wrist_paths import amplitude
 from ..body.skeleton import Skeleton
 from ..gestures.gesture import ArmKey, Clip, Depth, HeightSector, SectorPlace, Sideways
 from ..gestures.gesture_plan import PlacedGesture
-from ..gestures.gesture_space import SHOULDERS_ABOVE_HIPS_M, sector_m
+from ..gestures.gesture_space import SHOULDERS_ABOVE_HIPS_M, offset_from_centre_m, sector_m
 from ..gestures.specifiers import track_of
 from .measures import begun_in_time
 
@@ -175,10 +175,8 @@ def _difference_m(place: SectorPlace | None, sector: tuple[str, str, str] | None
 def _moved(arm: ArmKey, place: SectorPlace | None, way_m: FloatArray, size: float) -> ArmKey:
     if place is None:
         return arm
-    centre_m = sector_m(_CENTRE)
-    offset_m = (sector_m(place, size) + way_m - centre_m) / size
-    x, y, z = offset_m.tolist()
-    return replace(arm, place=replace(_CENTRE, offset_m=(x, y, z)))
+    offset_m = offset_from_centre_m(sector_m(place, size) + way_m, size)
+    return replace(arm, place=replace(_CENTRE, offset_m=offset_m))
 
 
 def _place(sector: tuple[str, str, str]) -> SectorPlace:
