@@ -16,6 +16,11 @@ from ..model.voice.affect import affect_of_dimensions, affect_of_tone
 
 HEADER = ("time_s", "activation", "valence", "dominance")
 MOST_ROWS = 100_000
+AFFECT_FORMS = (
+    f"a tone ({', '.join(Tone)}), activation,valence,dominance from -1 to 1, or a track of these "
+    "(in JSON rows of a time in seconds and the three, else CSV)"
+)
+"""What can be given, for messages."""
 
 
 def constant_affect(affect: Affect) -> AffectTrack:
@@ -104,6 +109,4 @@ def _number(cell: str, where: str) -> float:
 
 
 def _wrong(message: str) -> InputError:
-    tones = ", ".join(Tone)
-    advice = f"give a tone ({tones}), activation,valence,dominance from -1 to 1, or a track as CSV"
-    return InputError("affect_wrong", f"affect: {message}; {advice}", field="affect")
+    return InputError("affect_wrong", f"affect: {message}; give {AFFECT_FORMS}", field="affect")

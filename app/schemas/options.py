@@ -7,8 +7,9 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, ValidationError, ValidatorFunctionWrapHandler, WrapValidator
 from pydantic.config import JsonDict
+from pydantic_core import PydanticCustomError
 
 from ..errors import InputError, shown
 from ..model import Level, Mode
@@ -16,7 +17,7 @@ from ..model.formats import BapVersion, BmlForm, DialectName, FileOptions, Keys,
 from ..model.targets import MOST_TARGETS, NAME, targets_of
 from ..option_table import LARGEST_SEED, MOST_LISTENERS, MOTION, PERFORMANCE, Option
 from ..options import Options
-from .affect import affect_track
+from .affect import AFFECT_FORMS, affect_track
 from .references import ReferenceForm
 from .requests import checked, read_object
 
@@ -26,11 +27,22 @@ _LISTENER = re.compile(r"[^\W\d_]\w{0,63}(=\w{1,64})?")
 Seed = Annotated[int, Field(ge=-LARGEST_SEED, le=LARGEST_SEED)]
 LevelName = Annotated[Level, Field(strict=False)]
 ModeName = Annotated[Mode, Field(strict=False)]
-AffectValue = (
+
+
+def _in_a_form_of_affect(given: object, read: ValidatorFunctionWrapHandler) -> object:
+    """What `read` makes of it; where it has none of the forms, an error that names them instead of one for each."""
+    try:
+        return read(given)
+    except ValidationError as error:
+        raise PydanticCustomError("affect_wrong", f"give {AFFECT_FORMS}") from error
+
+
+AffectValue = Annotated[
     str
     | Annotated[tuple[float, float, float], Field(strict=False)]
-    | Annotated[tuple[Annotated[tuple[float, float, float, float], Field(strict=False)], ...], Field(strict=False)]
-)
+    | Annotated[tuple[Annotated[tuple[float, float, float, float], Field(strict=False)], ...], Field(strict=False)],
+    WrapValidator(_in_a_form_of_affect),
+]
 ListenerNames = Annotated[
     tuple[str, ...],
     Field(

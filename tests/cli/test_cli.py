@@ -82,7 +82,7 @@ def test_an_analysis_in_json_with_its_stages_as_json_lines(capfdbinary: Captured
 def test_a_feeling_that_is_given_replaces_the_one_heard(capfdbinary: Captured, tmp_path: Path) -> None:
     track = tmp_path / "track.csv"
     track.write_text("time_s,activation,valence,dominance\n0,0.6,-0.5,0.3\n", encoding="utf-8")
-    for told, tone in (("sad", "sad"), ("0.6,-0.5,0.3", "angry"), (str(track), "angry")):
+    for told, tone in (("sad", "sad"), ("-0.4,-0.6,-.3", "sad"), ("0.6,-0.5,0.3", "angry"), (str(track), "angry")):
         code, out, _ = _run(capfdbinary, "analyze", AUDIO, "--text", TEXT, "--affect", told)
         affect = json.loads(out)["affect"]
         assert (code, affect["given"]) == (0, True)

@@ -70,6 +70,14 @@ def test_a_misspelt_option_is_told_the_nearest_name(content: bytes, told: str) -
     assert told in caught.value.message
 
 
+@pytest.mark.parametrize("given", [b"[0.1, 0.2]", b'{"tone": "sad"}', b"[[0, 0.1, 0.2]]", b"3"])
+def test_what_has_no_form_of_affect_is_told_the_forms(given: bytes) -> None:
+    with pytest.raises(InputError, match=r"^affect: give a tone \(neutral, .*, or a track of these") as caught:
+        read_options(b'{"affect": ' + given + b"}")
+    assert (caught.value.code, caught.value.field) == ("value_wrong", "affect")
+    assert "valid tuple" not in caught.value.message
+
+
 def test_all_that_is_wrong_is_told_up_to_a_few() -> None:
     with pytest.raises(InputError) as caught:
         read_options(b'{"charcter": "shy", "agitation": "hi", "seed": "x"}')

@@ -4,6 +4,7 @@ Also contains the arguments of `serve`, `studio` and `study`.
 """
 
 import argparse
+import re
 import sys
 from collections.abc import Sequence
 from typing import Any, NoReturn
@@ -19,6 +20,8 @@ from .lines import add_analyses, add_live, add_perform, add_realize, add_say, ad
 from .options import Adding, actions_of, add_agitation_model, add_options, commands_of, voices
 
 _TRAIN = "agitation train"
+_OPTION = re.compile(r"--[\w-]+")
+_NEGATIVE_NUMBERS = re.compile(r"-\.?\d[^,]*(,[^,]*)+")
 
 
 class _Parser(argparse.ArgumentParser):
@@ -26,8 +29,9 @@ class _Parser(argparse.ArgumentParser):
     abbreviations."""
 
     def parse_args(self, args: Sequence[str] | None = None, namespace: Any = None) -> Any:  # type: ignore[override]  # noqa: ANN401
-        """Joins the two words of `agitation train`, since other words after `agitation` are recordings."""
-        words = list(sys.argv[1:] if args is None else args)
+        """Joins the two words of `agitation train`, since other words after `agitation` are recordings, and an option
+        and numbers of which the first is negative, which argparse would take for another option."""
+        words = _with_numbers_joined(sys.argv[1:] if args is None else args)
         place = next((index for index in range(len(words) - 1) if words[index : index + 2] == _TRAIN.split()), None)
         if place is not None:
             words[place : place + 2] = [_TRAIN]
@@ -35,6 +39,17 @@ class _Parser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         raise InputError("usage", f"{message}; see {self.prog} --help")
+
+
+def _with_numbers_joined(words: Sequence[str]) -> list[str]:
+    """The words, with `--affect -0.6,-0.5,0.3` as one."""
+    found: list[str] = []
+    for word in words:
+        if found and _OPTION.fullmatch(found[-1]) and _NEGATIVE_NUMBERS.fullmatch(word):
+            found[-1] += f"={word}"
+        else:
+            found.append(word)
+    return found
 
 
 def make_parser() -> argparse.ArgumentParser:

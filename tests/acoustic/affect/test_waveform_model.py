@@ -61,9 +61,30 @@ def test_metadata_tell_another_order_and_range(tmp_path: Path) -> None:
     assert told(model_file(tmp_path, {"out": [3.0, 5.0]}, metadata=metadata)) == pytest.approx((1, 0, 0), abs=1e-4)
 
 
+def test_hidden_states_beside_the_numbers_are_ignored(tmp_path: Path) -> None:
+    path = model_file(tmp_path, {"hidden_states": [0.9] * 16, "logits": [0.8, 0.6, 0.1]})
+    assert told(path) == pytest.approx((0.6, -0.8, 0.2), abs=1e-4)
+
+
+def test_a_fixed_number_of_samples_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(ServiceError, match="any number of samples; it has tensor") as raised:
+        WaveformModel.load(model_file(tmp_path, {"logits": [0.8, 0.6, 0.1]}, shape=(1, 400)))
+    assert raised.value.code == "model_unreadable"
+
+
+def test_a_model_that_cannot_run_on_a_sound_says_on_how_much(tmp_path: Path) -> None:
+    path = model_file(tmp_path, {"logits": [0.8, 0.6, 0.1]}, shape=(2, "samples"))
+    with pytest.raises(ServiceError, match=r"cannot run on 1\.00 s") as raised:
+        WaveformModel.load(path).affect_of(voice())
+    assert raised.value.code == "affect_model_failed"
+
+
 @pytest.mark.parametrize(
     ("outputs", "metadata", "reason"),
     [
+        ({"out": [0.0, 0.0]}, {}, "one output of 3 numbers, or say in its metadata's `order`"),
+        ({"one": [0.0] * 3, "other": [0.0] * 3}, {}, "it has one of shape"),
+        ({"hidden_states": [0.0] * 16}, {}, "one output of 3 numbers"),
         ({"out": [0.0]}, {"order": "activation"}, "must give activation and valence"),
         ({"valence": [0.0]}, {}, "must give activation and valence"),
         ({"out": [0.0, 0.0, 0.0]}, {"range": "high"}, "not a lowest and highest"),
@@ -86,7 +107,7 @@ def test_another_kind_of_file_is_refused(tmp_path: Path) -> None:
         WaveformModel.load(tmp_path / "missing.onnx")
 
 
-def test_too_few_numbers_are_told(tmp_path: Path) -> None:
-    with pytest.raises(ServiceError) as raised:
-        WaveformModel.load(model_file(tmp_path, {"out": [0.5]})).affect_of(voice())
+def test_numbers_that_are_not_finite_are_told(tmp_path: Path) -> None:
+    with pytest.raises(ServiceError, match=r"not finite; it must give 2 \(activation, valence\)") as raised:
+        WaveformModel.load(model_file(tmp_path, {"activation": [float("nan")], "valence": [0.0]})).affect_of(voice())
     assert raised.value.code == "affect_model_failed"
