@@ -4,6 +4,8 @@ Every function takes the digits as written and returns lower-case words without 
 """
 
 import re
+from functools import cache
+from typing import Any
 
 LONGEST_CARDINAL = 15
 """Numbers with more digits are read digit by digit."""
@@ -22,9 +24,7 @@ def cardinal(digits: str) -> tuple[str, ...]:
 
 def ordinal(digits: str) -> tuple[str, ...]:
     """ "21" → twenty first."""
-    import inflect  # takes a second to import, and most lines have no numbers
-
-    return _split(inflect.engine().ordinal(" ".join(cardinal(digits))))
+    return _split(_english().ordinal(" ".join(cardinal(digits))))
 
 
 def decimal(whole: str, fraction: str) -> tuple[str, ...]:
@@ -62,16 +62,27 @@ def clock(hour: str, minute: str) -> tuple[str, ...]:
 
 def plural(noun: str) -> str:
     """ "foot" → feet, "mile per hour" → miles per hour, "eighty" → eighties."""
-    import inflect
-
-    return str(inflect.engine().plural(noun))
+    return str(_english().plural(noun))
 
 
 def _words(digits: str) -> tuple[str, ...]:
-    import inflect
-
-    return _split(str(inflect.engine().number_to_words(str(int(digits)), andword="")))
+    return _split(str(_english().number_to_words(str(int(digits)), andword="")))
 
 
 def _split(words: str) -> tuple[str, ...]:
     return tuple(_WORD.findall(words))
+
+
+@cache
+def _english() -> Any:  # noqa: ANN401 - inflect has no types of its own
+    """inflect's engine. At the import typeguard would compile its functions anew, for checks at run time, which takes
+    two seconds; here it leaves them as they are."""
+    import typeguard
+
+    typechecked = typeguard.typechecked
+    typeguard.typechecked = lambda function: function  # type: ignore[assignment]
+    try:
+        import inflect
+    finally:
+        typeguard.typechecked = typechecked
+    return inflect.engine()

@@ -135,8 +135,7 @@ class _Forking:
 def _warm(models: LiveModels) -> None:
     """Performs and realizes the bundled line, streams its beginning live and builds all schemas, so that workers
     inherit what is loaded lazily; then freezes all objects, since garbage collection would write to shared pages."""
-    import inflect  # noqa: F401  # for lines with numbers, which this one does without, as it does without a profile
-    import scipy.optimize  # noqa: F401
+    import scipy.optimize  # noqa: F401  # for profiles, which this line does without
 
     examples = resource_folder("examples")
     sound, text = (examples / "example.flac").read_bytes(), (examples / "example.txt").read_text(encoding="utf-8")

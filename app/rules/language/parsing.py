@@ -7,7 +7,7 @@ others. Newlines separate statements except inside parentheses.
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from itertools import pairwise
 from pathlib import Path
@@ -60,24 +60,33 @@ def read_rules(path: Path) -> tuple[RuleFile, tuple[Mistake, ...]]:
     return parse_rules(text, path)
 
 
-@lru_cache(maxsize=64)
 def parse_rules(text: str, path: Path) -> tuple[RuleFile, tuple[Mistake, ...]]:
-    """As `read_rules`, for text in memory; `path` is for messages.
+    """As `read_rules`, for text in memory; `path` is for messages."""
+    file, mistakes = _parsed(text)
+    return replace(file, path=path), tuple(replace(mistake, path=path) for mistake in mistakes)
 
-    Cached, since when an author saves one file all others are read again as they were.
+
+_UNNAMED = Path()
+
+
+@lru_cache(maxsize=64)
+def _parsed(text: str) -> tuple[RuleFile, tuple[Mistake, ...]]:
+    """A file and its mistakes, without its name.
+
+    Cached, since when an author saves one file all others are read again as they were, from wherever they were put.
     """
     lines = tuple(line.expandtabs(1) for line in text.split("\n"))
     blocks: list[Block] = []
     unread: list[str] = []
-    mistakes = [*_stray_lines(lines, path)]
+    mistakes = [*_stray_lines(lines)]
     for cut in _cut(lines):
         tree, found = _parse_block(cut)
-        mistakes += [Mistake(path, place.line, place.column, what, lines[place.line - 1]) for place, what in found]
+        mistakes += [Mistake(_UNNAMED, place.line, place.column, what, lines[place.line - 1]) for place, what in found]
         if tree is None:
             unread += cut.source.replace("(", " ").split()[1:2]
         else:
             blocks.append(Block(tree, cut.comment, cut.source))
-    return RuleFile(path, lines, tuple(blocks), frozenset(unread)), tuple(mistakes)
+    return RuleFile(_UNNAMED, lines, tuple(blocks), frozenset(unread)), tuple(mistakes)
 
 
 _Located = tuple[SourcePosition, str]
@@ -140,7 +149,7 @@ def _without_trailing_comments(lines: tuple[str, ...]) -> str:
     return "\n".join(lines[: last + 1])
 
 
-def _stray_lines(lines: tuple[str, ...], path: Path) -> Iterator[Mistake]:
+def _stray_lines(lines: tuple[str, ...]) -> Iterator[Mistake]:
     """A mistake at the first line before any block that is neither blank nor a comment."""
     for number, line in enumerate(lines, start=1):
         if _starts_block(lines, number - 1):
@@ -148,7 +157,7 @@ def _stray_lines(lines: tuple[str, ...], path: Path) -> Iterator[Mistake]:
         code = line.lstrip()
         if code and not code.startswith("#"):
             expected = "expected `rule NAME` or `predicate NAME(...)`, or a rule's name alone above `foreach`"
-            yield Mistake(path, number, len(line) - len(code) + 1, expected, line)
+            yield Mistake(_UNNAMED, number, len(line) - len(code) + 1, expected, line)
             return
 
 

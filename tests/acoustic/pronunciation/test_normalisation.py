@@ -1,8 +1,10 @@
 """The spoken tokens of each word: tables of text and speech, and input that must not raise."""
 
+import sys
 from pathlib import Path
 
 import pytest
+import typeguard
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -108,3 +110,10 @@ def test_a_mistake_in_the_abbreviations_has_its_place(tmp_path: Path) -> None:
     path.write_text(ABBREVIATIONS.read_text(encoding="utf-8").replace("anywhere:", "anywhre:", 1), encoding="utf-8")
     with pytest.raises(AuthoringError, match=r"abbreviations.yaml:\d+:\d+: .*unknown key"):
         Normaliser.load(path, KNOWN)
+
+
+def test_reading_numbers_has_no_library_compiled_anew(normaliser: Normaliser) -> None:
+    """typeguard would, for checks at run time: two seconds before the first number is read."""
+    assert _said(normaliser, "21st of 2") == "twenty first | of | two"
+    assert "typeguard" not in sys.modules["inflect"].engine.plural.__code__.co_names
+    assert typeguard.typechecked.__module__.startswith("typeguard")

@@ -91,6 +91,13 @@ def test_a_mistake_hides_none_in_other_blocks() -> None:
     assert file.unread == {"p", "one", "two"}
 
 
+def test_one_text_under_two_names_has_its_mistakes_under_each() -> None:
+    for path in (HERE, HERE.with_name("elsewhere.rules")):
+        file, mistakes = parse_rules("stray\nrule one\nforeach\n p($x\n", path)
+        assert file.path == path
+        assert [(mistake.path, mistake.line) for mistake in mistakes] == [(path, 1), (path, 4)]
+
+
 def test_every_part_has_its_place() -> None:
     text = '# one\n\n# two\n#  three\nrule r\nforeach\n  p(a|"b c", $x, -1.5,\n    _)\n  $y = $x + 2\n'
     file, mistakes = parse_rules(text, HERE)
