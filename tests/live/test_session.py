@@ -21,7 +21,7 @@ WORDS = ["No,", "I", "have", "never", "seen", "those", "two", "big", "boats", "b
 FRAMES = LiveOptions(frame_rate_hz=30)
 INTERRUPTED_S = 2.0
 STOPS_WITHIN_S = 0.15
-KEPT_TIMES = 8
+KEPT_TIMES = 12
 LONGEST_AFTER_S = 1.2
 """After the last sound: what is held ahead, and a hand's way back."""
 
