@@ -1,4 +1,4 @@
-"""The service as it is started, and how it ends: told to, and killed."""
+"""The service as it is started, and how it ends when it is told to; `tests/cli/test_studio.py` kills one."""
 
 import re
 import signal
@@ -94,16 +94,6 @@ def test_told_to_stop_it_refuses_finishes_within_the_grace_and_leaves_nothing_be
         assert served.process.wait(PATIENCE_S) == 0
         _wait_until_gone(family)
         assert "Traceback" not in served.log.read_text()
-
-
-def test_killed_it_leaves_nothing_behind(tmp_path: Path) -> None:
-    with _serving(tmp_path, UNDERSTUDY_WORKERS="2") as served:
-        family = psutil.Process(served.process.pid).children(recursive=True)
-        assert len(family) >= 3
-        for aligner in [each for each in family if "decoder_worker" in " ".join(each.cmdline())]:
-            aligner.suspend()
-        served.process.kill()
-        _wait_until_gone(family)
 
 
 @pytest.mark.parametrize(("trusted", "address"), [(None, "127.0.0.1"), ("127.0.0.1", "192.0.2.7"), ("*", "192.0.2.7")])

@@ -86,14 +86,18 @@ def test_the_shipped_model_says_what_it_is_and_moves_a_line(tmp_path: Path, caps
     assert np.ptp(forearm[:, 0, 0]) > 0.1
 
 
-@pytest.mark.parametrize("scenario", ["S2", "S3", "S6", "RTS"])
-def test_scenarios_can_be_chosen(model: Path, tmp_path: Path, scenario: str) -> None:
-    out, other = tmp_path / "one.bvh", tmp_path / "other.bvh"
+def test_scenarios_can_be_chosen_and_the_same_one_moves_the_same(model: Path, tmp_path: Path) -> None:
+    """Of four, three at least move differently by one feeling that lasts."""
     line = ["perform", AUDIO, "--text-file", TEXT, "-o", str(tmp_path / "x.bml"), "--quiet"]
     line += ["--motion-model", str(model), "--affect", "1,1,1"]
-    assert main([*line, "--realize", str(out), "--scenario", scenario]) == 0
-    assert main([*line, "--realize", str(other), "--scenario", scenario]) == 0
-    assert out.read_bytes() == other.read_bytes()
+    scenarios = ("S2", "S3", "S6", "RTS", "RTS")
+    moved = list[bytes]()
+    for number, scenario in enumerate(scenarios):
+        out = tmp_path / f"{number}.bvh"
+        assert main([*line, "--realize", str(out), "--scenario", scenario]) == 0
+        moved.append(out.read_bytes())
+    assert moved[-1] == moved[-2]
+    assert len(set(moved)) >= 3
 
 
 def test_arrays_of_points_teach_arms(tmp_path: Path, capsys: Captured) -> None:

@@ -15,7 +15,9 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Error, Page, Request, ViewportSize, expect, sync_playwright
 
-from tests.studio.support.serving import FLAGS, Theme, perform_scene, served
+from tests.studio.support.serving import FLAGS, Theme, perform_scene
+from tests.support.served import served
+from understudy.api.workers.processes import Nursery
 from understudy.models import Understudy
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
@@ -57,10 +59,10 @@ def browser() -> Iterator[Browser]:
 
 
 @pytest.fixture(scope="session")
-def service_url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """A service on a free port, with one worker."""
-    with served(tmp_path_factory.mktemp("service") / "log") as address:
-        yield address
+def service_url(nursery: Nursery) -> Iterator[str]:
+    """A service on a free port, with one worker, in a thread of the tests."""
+    with served(nursery) as running:
+        yield running.url
 
 
 @pytest.fixture(scope="session")

@@ -5,6 +5,7 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import uvicorn
@@ -27,16 +28,24 @@ class Served:
     port: int
 
     @property
+    def url(self) -> str:
+        return f"http://{HOST}:{self.port}"
+
+    @property
     def service(self) -> Service:
         service: Service = self.app.state.service
         return service
 
 
 @contextmanager
-def served(nursery: Nursery, **settings: Any) -> Iterator[Served]:  # noqa: ANN401
+def served(
+    nursery: Nursery,
+    author_folder: Path | None = None,
+    **settings: Any,  # noqa: ANN401
+) -> Iterator[Served]:
     """The service with these settings, and otherwise one worker."""
     whole = Settings(**({"workers": 1} | settings))
-    app = create_app(whole, nursery)
+    app = create_app(whole, nursery, author_folder=author_folder)
     config = uvicorn.Config(
         app,
         host=HOST,

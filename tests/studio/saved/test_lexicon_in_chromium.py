@@ -6,15 +6,17 @@ from pathlib import Path
 from playwright.sync_api import Browser, expect
 
 from tests.studio.conftest import opened_page
-from tests.studio.support.serving import served
 from tests.studio.support.waiting import wait_until
+from tests.support.served import served
+from understudy.api.workers.processes import Nursery
 
 
-def test_what_is_written_and_a_new_character_are_saved_in_the_folder(browser: Browser, tmp_path: Path) -> None:
+def test_what_is_written_and_a_new_character_are_saved_in_the_folder(
+    browser: Browser, nursery: Nursery, tmp_path: Path
+) -> None:
     folder = tmp_path / "own"
     folder.mkdir()
-    command = ("studio", "--no-browser", "--port", "0", "--lexicon", str(folder))
-    with served(tmp_path / "log", command) as address, opened_page(browser, address) as page:
+    with served(nursery, author_folder=folder) as running, opened_page(browser, running.url) as page:
         page.goto("/")
         page.click("#views >> text=Gesture editor")
         page.wait_for_selector("#gesture-canvas[data-pose*='.']")

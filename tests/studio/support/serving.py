@@ -4,7 +4,7 @@ import re
 import subprocess
 import sys
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from os import environ
 from pathlib import Path
@@ -35,11 +35,11 @@ ONE_WORKER: Mapping[str, str] = {"UNDERSTUDY_WORKERS": "1"}
 
 
 @contextmanager
-def served(log: Path, command: Sequence[str] = ("serve", "--port", "0")) -> Iterator[str]:
+def served(log: Path) -> Iterator[str]:
     """The address of a service with one worker, which ends with the block."""
-    whole = [sys.executable, "-m", "understudy.cli", *command]
+    command = [sys.executable, "-m", "understudy.cli", "serve", "--port", "0"]
     with log.open("wb") as out:
-        process = subprocess.Popen(whole, stderr=out, env=environ | ONE_WORKER)
+        process = subprocess.Popen(command, stderr=out, env=environ | ONE_WORKER)
     try:
         yield _address(process, log)
     finally:
