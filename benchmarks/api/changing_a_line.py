@@ -13,9 +13,10 @@ from contextlib import ExitStack
 
 from playwright.sync_api import Page, sync_playwright
 
-from tests.studio.conftest import CHROMIUM, SIZE
+from tests.studio.conftest import SIZE
 from tests.studio.support.serving import FLAGS
 from tests.studio.support.waiting import wait_until
+from tests.support.chromium import CHROMIUM
 
 from .watching import HOST, Running, percentile, serving
 

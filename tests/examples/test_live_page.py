@@ -1,7 +1,6 @@
 """The page of `examples/live` in Debian's Chromium, with a recording for a microphone."""
 
 import os
-import shutil
 import subprocess
 import sys
 import threading
@@ -17,8 +16,9 @@ import pytest
 import soundfile
 from playwright.sync_api import sync_playwright
 
+from tests.support.chromium import CHROMIUM
+
 ROOT = Path(__file__).parents[2]
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 PATIENCE_MS = 60_000
 KEY = "schlüssel?>?>~~~for-the-page"
 """Its base64 has characters that no protocol's name may have."""

@@ -7,7 +7,6 @@ three seconds of processor time, the first of a page seven: so two pages serve t
 other.
 """
 
-import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -16,11 +15,11 @@ import pytest
 from playwright.sync_api import Browser, Error, Page, Request, ViewportSize, expect, sync_playwright
 
 from tests.studio.support.serving import FLAGS, Theme, perform_scene
+from tests.support.chromium import CHROMIUM
 from tests.support.served import served
 from understudy.api.workers.processes import Nursery
 from understudy.models import Understudy
 
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 KEPT = "localStorage.setItem('understudy-advanced', 'yes'); localStorage.setItem('understudy-quality', 'low');"
 """All settings are there, and bodies are drawn coarsely, since nobody looks: that takes a fifth of the time."""
 UNSEEN = """
@@ -42,8 +41,6 @@ STORED = "local_storage,indexeddb,cookies,cache_storage,service_workers"
 @contextmanager
 def chromium() -> Iterator[Browser]:
     """The browser. While playwright runs, nothing else in its process can run an event loop."""
-    if CHROMIUM is None:
-        pytest.skip("chromium is not installed")
     expect.set_options(timeout=PATIENCE_MS)
     with sync_playwright() as started:
         found = started.chromium.launch(executable_path=CHROMIUM, args=list(FLAGS))

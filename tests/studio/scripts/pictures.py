@@ -13,9 +13,10 @@ from tempfile import TemporaryDirectory
 
 from playwright.sync_api import Browser, Page, expect, sync_playwright
 
-from tests.studio.conftest import CHROMIUM, PATIENCE_MS
+from tests.studio.conftest import PATIENCE_MS
 from tests.studio.support.serving import FLAGS, perform_scene, served
 from tests.studio.support.tasks import LOOKS, TASKS, Desk
+from tests.support.chromium import CHROMIUM
 from understudy.models import Understudy
 from understudy.settings import Settings
 
