@@ -1,7 +1,8 @@
 """Tries an alternative beside what is kept: which parts of it fit, with which hand, and what is shortened for it.
 
 Planned moments, of which there are many more candidates than people make gestures, meet stricter conditions than what
-is asked for: the hand is not switched within `HAND_SWITCH_S`, and there are no more than the character usually makes.
+is asked for: the hand is not switched within `HAND_SWITCH_S`, except to the hand that the gesture needs and after the
+other one is done, and there are no more than the character usually makes.
 (What was shown just before is a part of their worth.) What functions ask for by priority alone, or a director, is made
 if there is time for it (paper §3.5), if necessary with the other hand. Where there is little time, both are made with a
 smaller and shorter stroke.
@@ -24,6 +25,7 @@ from .hands import (
     made_already,
     stroke_s,
     switches,
+    take_turns,
     with_hand,
 )
 from .necessity import WEIGHT
@@ -80,7 +82,8 @@ def _outcome(
     if not candidate.behavior.kept:
         return candidate.behavior
     if planned or offer.moment is None:
-        refused = _refused(candidate.behavior, kept, line, planned=planned)
+        switching = _refused_hand(candidate.behavior, kept, needs_hand=hand is not None) if planned else None
+        refused = switching or _refused_rate(candidate.behavior, kept, line, planned=planned)
         if refused is not None:
             return refused
     if planned:
@@ -123,16 +126,23 @@ def _with_gesture(alternative: Alternative, kept: TimeIndex, line: ChoiceContext
     return None
 
 
-def _refused(behavior: Behavior, kept: TimeIndex, line: ChoiceContext, *, planned: bool) -> Behavior | None:
-    """The gesture as a loser, if the character would not make it beside those it makes; else None."""
-    if behavior.kind is not Channel.GESTURE:
+def _refused_hand(gesture: Behavior, kept: TimeIndex, *, needs_hand: bool) -> Behavior | None:
+    """The gesture as a loser, if the character would not change hands for it, else None. What only one hand can show,
+    as to the left with the left, is shown by it once the other hand is done."""
+    if gesture.kind is not Channel.GESTURE:
         return None
-    at_s = stroke_s(behavior)
-    for other in kept.gestures_near(at_s - HAND_SWITCH_S, at_s + HAND_SWITCH_S) if planned else ():
-        if switches(behavior, other) and abs(at_s - stroke_s(other)) < HAND_SWITCH_S:
-            return lost_to(other, behavior, f"the other hand is in use for {other.lexeme}")
+    at_s = stroke_s(gesture)
+    for other in kept.gestures_near(at_s - HAND_SWITCH_S, at_s + HAND_SWITCH_S):
+        near = switches(gesture, other) and abs(at_s - stroke_s(other)) < HAND_SWITCH_S
+        if near and not (needs_hand and take_turns(gesture, other)):
+            return lost_to(other, gesture, f"the other hand is in use for {other.lexeme}")
+    return None
+
+
+def _refused_rate(gesture: Behavior, kept: TimeIndex, line: ChoiceContext, *, planned: bool) -> Behavior | None:
+    """The gesture as a loser, if the character already makes as many as it does; else None."""
     most = line.most_gestures if planned else line.most_asked
-    if kept.gestures >= most:
+    if gesture.kind is Channel.GESTURE and kept.gestures >= most:
         reason = f"beyond the character's gesture rate, which gives this line {most}"
-        return replace(behavior, kept=False, reason=reason)
+        return replace(gesture, kept=False, reason=reason)
     return None

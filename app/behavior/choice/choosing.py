@@ -75,13 +75,13 @@ def _repeats(behavior: Behavior, other: Behavior) -> bool:
 
 def _habit(gesture: Behavior, kept: TimeIndex) -> float:
     """How well a gesture suits the others around it (paper §3.4: against inordinate switching of hands and repeating a
-    gesture). The worth of planned gestures takes account of what was shown just before, and switching is refused."""
-    if gesture.moment:
-        return 1.0
+    gesture). The worth of planned gestures takes account of what was shown just before."""
     at_s = stroke_s(gesture)
     others = (each for each in kept.gestures_near(at_s - REPEAT_S, at_s + REPEAT_S) if each.id != gesture.id)
     apart = [(other, abs(at_s - stroke_s(other))) for other in others]
-    repeated = any(other.lexeme == gesture.lexeme and apart_s < REPEAT_S for other, apart_s in apart)
+    repeated = not gesture.moment and any(
+        other.lexeme == gesture.lexeme and apart_s < REPEAT_S for other, apart_s in apart
+    )
     switched = any(switches(gesture, other) and apart_s < HAND_SWITCH_S for other, apart_s in apart)
     return (REPEATED if repeated else 1.0) * (HAND_SWITCHED if switched else 1.0)
 

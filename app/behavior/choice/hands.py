@@ -84,6 +84,12 @@ def switches(one: Behavior, other: Behavior) -> bool:
     return one.hand is not other.hand and Hand.BOTH not in (one.hand, other.hand)
 
 
+def take_turns(one: Behavior, other: Behavior) -> bool:
+    """Whether the earlier of two gestures is over when the later one has its stroke."""
+    earlier, later = sorted((one, other), key=stroke_s)
+    return earlier.sync.end <= stroke_s(later)
+
+
 def stroke_s(gesture: Behavior) -> float:
     """The time of a gesture's stroke."""
     return gesture.sync.stroke if gesture.sync.stroke is not None else gesture.sync.start

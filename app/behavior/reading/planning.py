@@ -23,6 +23,7 @@ from .mimes import Mime, mimes_in
 from .parallels import CONTRAST, Ground, PlacedStroke, parallel_strokes, placed_strokes, with_placed
 from .planner import Planner
 from .player import Player
+from .resumptions import with_resumed
 from .strokes import NEAR, WHOLE, Worth, strokes, windowed
 from .supports import Support, supports_of
 from .terms import Fact, terms_of
@@ -138,7 +139,9 @@ def _taken(
     shares = {word: worth.share(found[word].window)[word] for word in words if word not in placed}
     worths = after_what_was_shown(worths, shares, ground.times_s)
     worth_it = replace(worth, whole=worth_of(worths.log_odds)).gains() >= price
-    return _StrokeSelection([word for word in words if word in placed or worth_it[word]], placed, ground, worths, price)
+    taken = [word for word in words if word in placed or worth_it[word]]
+    worths, taken = with_resumed(worths, taken, utterance.parse.tokens, ground)
+    return _StrokeSelection(taken, placed, ground, worths, price)
 
 
 def _heads_and_faces(

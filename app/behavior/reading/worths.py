@@ -2,7 +2,8 @@
 parts.
 
     log-odds(word, lexeme) = those of its families (reading, how common they are, terms) + a mapping rule's support
-                             + the verb that a mime shows + the focus on the word + what was shown just before + chance
+                             + the verb that a mime shows + the focus on the word + what was shown just before
+                             + what was pointed at before + chance
 
 So the reading, the paper's rules, the voice, the author and chance are heard at once, and each choice can name what
 decided it. Shapes: W words, F families, L lexemes, K kinds.
@@ -63,8 +64,9 @@ Place = tuple[int, int]
 class LineWorths:
     """The worths of a line: `read` the reading's expected worth and `family` the worth with all terms (W, F), `terms`
     the terms of each word, `log_odds` the whole sum (W, L), with `supports` and `mimes` by word and lexeme, `focus`
-    (W,), `chance` (W, L) and what lexemes lose that were shown just before, by word and column, as its further parts.
-    `lexemes` are the columns, `shown` (L, F) how much each shows each family."""
+    (W,), `chance` (W, L), and by word and column what lexemes lose that were shown just before and what pointings gain
+    where they are `resumed`, as its further parts. `lexemes` are the columns, `shown` (L, F) how much each shows each
+    family."""
 
     choice: ChoiceModel
     lexemes: Mapping[str, int]
@@ -79,6 +81,7 @@ class LineWorths:
     just_shown: Mapping[Place, float] = field(default_factory=dict)
     beside: Mapping[Place, float] = field(default_factory=dict)
     mimes: Mapping[tuple[int, str], Mime] = field(default_factory=dict)
+    resumed: Mapping[Place, Term] = field(default_factory=dict)
 
     def of(self, word: int, lexeme: str) -> float | None:
         """The log-odds of a lexeme with its stroke on a word; None for one without an entry in `shows`."""
@@ -102,6 +105,8 @@ class LineWorths:
         parts += support.parts if support else ()
         mime = self.mimes.get((word, lexeme))
         parts += (mime.part,) if mime else ()
+        resumed = self.resumed.get((word, column))
+        parts += (resumed,) if resumed else ()
         heavy = (part for part in parts if abs(part.weight) >= FAINT)
         return tuple(sorted(heavy, key=lambda part: (-abs(part.weight), part.name)))
 

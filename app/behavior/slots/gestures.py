@@ -6,6 +6,7 @@ from types import MappingProxyType
 
 from ...model import Analysis, Behavior, Channel, Function, Moment, Utterance
 from ...model.slots import Distance, Height, Side, Size, Slots, Which
+from ..reading.strokes import NEAR
 from .findings import Finding, findings
 from .places import addressed, contrasted, placed
 from .table import SlotTable
@@ -52,21 +53,32 @@ def with_slots(
     listeners: Sequence[str] = (),
 ) -> tuple[Behavior, ...]:
     """The behaviours, each gesture that is kept with the slots of the words of its moment, else of its own words, of
-    those that it can show."""
+    those that it can show; where these say nothing, of the words near its stroke that are no other moment's."""
     said = slots_said(table, analysis.utterance, analysis.functions, listeners)
-    by_id = {moment.id: moment for moment in moments}
+    by_id = {moment.id: moment for moment in moments if moment.channel is Channel.GESTURE}
 
     def filled(gesture: Behavior) -> Behavior:
         moment = by_id.get(gesture.moment or "")
         words = (moment.first, moment.last, moment.stroke) if moment else (gesture.first, gesture.last, None)
         shown = table.shown.get(gesture.lexeme, frozenset())
-        slots = slots_of(table, [each for each in said if each.slot in shown], *words)
+        can_show = [each for each in said if each.slot in shown]
+        slots = slots_of(table, can_show, *words)
+        if moment and not slots:
+            slots = slots_of(table, can_show, *_about(moment, by_id.values()), moment.stroke)
         slots = replace(slots, side=PLACES.get(gesture.lexeme, slots.side))
         asked = moment is not None and moment.note is not None
         lexeme = gesture.lexeme if asked else _to_the_side(gesture.lexeme, slots.side)
         return replace(gesture, lexeme=lexeme, slots=slots) if slots else gesture
 
     return tuple(filled(each) if each.kept and each.kind is Channel.GESTURE else each for each in behaviors)
+
+
+def _about(moment: Moment, moments: Iterable[Moment]) -> tuple[int, int]:
+    """The first and the last word near a stroke that belong to no other moment."""
+    others = [each for each in moments if each.id != moment.id]
+    after = max((each.last + 1 for each in others if each.last < moment.first), default=0)
+    before = min((each.first - 1 for each in others if each.first > moment.last), default=moment.stroke + NEAR)
+    return max(after, moment.stroke - NEAR), min(before, moment.stroke + NEAR)
 
 
 def _to_the_side(lexeme: str, side: Side | None) -> str:

@@ -62,11 +62,17 @@ def aims_m(requests: Iterable[GestureRequest]) -> Mapping[str, Position]:
         slots = request.slots or NOWHERE
         if request.category in POINTING and request.target is None and directed(slots):
             thing = slots.referent or (slots.which, slots.distance, slots.elevation_deg)
-            said = _said_deg(slots.side or POINTING[request.category], request.hand)
+            said = _said_deg(_side(request.category, slots, known=thing in known), request.hand)
             azimuth_deg = known.get(thing, _free_deg(known.values(), request.hand)) if said is None else said
             known[thing] = azimuth_deg
             found[request.behavior] = _position_m(slots, azimuth_deg)
     return found
+
+
+def _side(category: str, slots: Slots, *, known: bool) -> Side | None:
+    """The side on which a thing is: as the words say, else that of the gesture; a thing that is `known` by its name
+    stays where it was shown, whichever gesture and hand point at it again."""
+    return slots.side if known and slots.referent is not None else slots.side or POINTING[category]
 
 
 def _outwards(hand: Hand) -> float:

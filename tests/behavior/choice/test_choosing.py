@@ -103,12 +103,22 @@ def test_the_same_gesture_within_five_seconds_is_less_suitable() -> None:
     assert lexemes(settled(between((movement("gesture_me", 4, priority=5),)), again)[0]) == ["ME", "YOU"]
 
 
-@pytest.mark.parametrize(("word", "made"), [(8, False), (9, True)])
-def test_planned_hands_are_not_switched_within_two_seconds(word: int, *, made: bool) -> None:
+@pytest.mark.parametrize(("word", "made"), [(6, False), (7, True)])
+def test_a_planned_gesture_takes_the_other_hand_only_once_the_one_in_use_is_done(word: int, *, made: bool) -> None:
     asks = [planned(between((movement(f"gesture_point_{side}", at),))) for side, at in (("left", 4), ("right", word))]
     kept, lost = settled(*asks)
-    assert len(kept) == (2 if made else 1)
-    assert made or lost[0].reason == "the other hand is in use for POINT_LEFT"
+    if made:
+        assert kept[0].sync.end <= (kept[1].sync.stroke or 0.0)
+    else:
+        assert lexemes(kept) == ["POINT_LEFT"]
+        assert lost[0].reason == "the other hand is in use for POINT_LEFT"
+
+
+def test_a_planned_gesture_keeps_the_hand_in_use_if_another_shows_the_same() -> None:
+    left = planned(between((movement("gesture_point_left", 4),)))
+    right_or_left = (movement("gesture_point_right", 8),), (movement("gesture_left", 8),)
+    assert lexemes(settled(planned(between(*right_or_left)))[0]) == ["POINT_RIGHT"]
+    assert lexemes(settled(left, planned(between(*right_or_left)))[0]) == ["POINT_LEFT", "LEFT"]
 
 
 def test_what_only_the_hands_can_show_keeps_them() -> None:

@@ -115,3 +115,16 @@ def test_a_gesture_that_a_note_asks_for_stays_what_it_is(understudy: Understudy)
     asked = replace(gesture("g1", 0.0, 1.0, lexeme="LEFT"), last=4, moment="m1")
     (placed,) = with_slots((asked,), analysis, (note,), understudy.behavior.slots)
     assert placed.lexeme == "LEFT"
+
+
+def test_a_gesture_whose_own_words_say_nothing_shows_what_is_said_near_its_stroke(understudy: Understudy) -> None:
+    analysis = spoken(understudy, "There was only a tiny crack in the glass.")
+    narrow = replace(gesture("g1", 0.0, 1.0, lexeme="PINCH"), moment="only", first=2, last=2)
+    only = Moment("only", Channel.GESTURE, 2, 2, 2, ("size_small",), 0.5)
+    crack = replace(only, id="crack", first=4, last=5, stroke=5)
+    alone, beside = (
+        with_slots((narrow,), analysis, moments, understudy.behavior.slots)[0] for moments in ((only,), (only, crack))
+    )
+    assert alone.slots is not None
+    assert alone.slots.size == "tiny"
+    assert beside.slots is None

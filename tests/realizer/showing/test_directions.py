@@ -1,5 +1,6 @@
 """Where things are that are pointed at: as the words say, apart from each other, and where they were."""
 
+from dataclasses import replace
 from itertools import pairwise
 from math import atan2, degrees, hypot
 
@@ -54,6 +55,20 @@ def test_a_thing_is_where_it_was() -> None:
         pointings(Slots(referent="wall", which=Which.THIS), Slots(referent="potion"), Slots(referent="wall"))
     )
     assert again[0] == pytest.approx(first[0])
+
+
+@pytest.mark.parametrize("side", [Side.LEFT, Side.RIGHT])
+def test_a_thing_is_where_it_was_for_the_other_hand_too(side: Side) -> None:
+    (first,) = pointings(Slots(referent="wall"), hand=Hand.RIGHT)
+    (again,) = pointings(Slots(referent="wall"), category=f"POINT_{side.upper()}", hand=Hand(side))
+    requests = [first, replace(again, behavior="again")]
+    (before, _), (after, _) = angles_deg(requests)
+    assert after == pytest.approx(before)
+
+
+def test_a_thing_that_the_words_put_elsewhere_is_there() -> None:
+    first, again = angles_deg(pointings(Slots(referent="wall"), Slots(referent="wall", side=Side.LEFT)))
+    assert first[0] < 0 < again[0]
 
 
 def test_nothing_is_aimed_at_where_the_words_say_nothing_or_the_scene_knows() -> None:
