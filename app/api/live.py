@@ -6,6 +6,8 @@ for too long is disconnected. A disconnect is noticed at once, and ends the proc
 """
 
 import asyncio
+import fcntl
+import termios
 from collections import deque
 from collections.abc import Mapping
 from contextlib import suppress
@@ -116,12 +118,15 @@ async def _converse(socket: WebSocket, service: Service, worker: Worker) -> None
 
 
 async def _listen(socket: WebSocket, worker: Worker, settings: Settings) -> None:
-    """Passes the client's messages to the process. Raises WebSocketDisconnect, SlowClientError `live_idle`."""
+    """Passes the client's messages to the process. Raises WebSocketDisconnect, SlowClientError `live_idle`, but not
+    while messages wait for the process."""
     while True:
         try:
             async with asyncio.timeout(settings.live_idle_s):
                 message = await socket.receive()
         except TimeoutError:
+            if _is_behind(worker):
+                continue
             told = f"nothing was sent for {settings.live_idle_s:g} s; send silence while a microphone is off"
             raise SlowClientError("live_idle", told) from None
         if message["type"] == "websocket.disconnect":
@@ -130,6 +135,15 @@ async def _listen(socket: WebSocket, worker: Worker, settings: Settings) -> None
         content = message.get("bytes") or b"" if text is None else text.encode("utf-8", "surrogatepass")
         with suppress(BrokenPipeError, ConnectionError):  # it has ended; its last output says why
             await send_soon(worker.socket, LiveInput(is_text=text is not None), content)
+
+
+def _is_behind(worker: Worker) -> bool:
+    """Whether messages wait for the process, which reads one at a time, and sound when its time has come."""
+    try:
+        unread = fcntl.ioctl(worker.socket, termios.TIOCOUTQ, bytes(4))
+    except OSError:  # not known of such sockets here
+        return False
+    return any(unread)
 
 
 async def _hear(worker: Worker, told: OutgoingQueue) -> None:

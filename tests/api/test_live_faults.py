@@ -111,6 +111,15 @@ def test_a_stream_lasts_only_so_long_by_the_clock_whatever_it_sends(nursery: Nur
         until(lambda: running.service.streams.count == 0, FREED_WITHIN_S)
 
 
+def test_who_has_sent_ahead_of_the_clock_need_not_send_until_that_is_read(nursery: Nursery) -> None:
+    """Two and a half seconds, which take two by the clock, and what comes after them."""
+    with served(nursery, live_idle_s=1.0, live_ahead_s=0.5) as running, stream(running) as opened:
+        opened.send(json.dumps({"type": "silence", "duration_s": 2.5}))
+        opened.send(json.dumps({"type": "end"}))
+        told, code = last(opened)
+    assert (told["type"], code) == ("done", 1000)
+
+
 def test_one_caller_does_not_have_all_places(nursery: Nursery) -> None:
     key = "a-key-of-sixteen-letters-or-more"
     with served(nursery, live_streams=2, api_keys=key) as running:
