@@ -164,6 +164,8 @@ def _is_past(expires_s: float | None) -> bool:
 
 def _lines_in(path: Path) -> list[str]:
     """The keys in a file, one a line; lines that begin with # are comments."""
+    if path.exists() and not path.is_file():  # a pipe that nobody writes to would be waited for
+        raise InputError("setting_wrong", f"{PREFIX}API_KEYS_FILE: {path}: cannot be read: it is not a regular file")
     try:
         with path.open(encoding="utf-8") as file:
             lines = [line.strip() for line in file.read(LARGEST_FILE_BYTES).splitlines()]

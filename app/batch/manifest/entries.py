@@ -103,9 +103,9 @@ def of_row(row: tuple[Any, ...]) -> ManifestEntry:
     """The entry that `to_row` stored. Raises ValueError for a row that it cannot have stored."""
     state, outputs, warnings, measures, error_code, error, seconds = row[12:]
     try:
-        files = [dict(zip(_OF_A_FILE, file, strict=True)) for file in json.loads(outputs)]
-        notices = [dict(zip(_OF_A_NOTICE, notice, strict=True)) for notice in json.loads(warnings)]
-        measured = None if measures is None else json.loads(measures)
+        files = [dict(zip(_OF_A_FILE, file, strict=True)) for file in _read(outputs)]
+        notices = [dict(zip(_OF_A_NOTICE, notice, strict=True)) for notice in _read(warnings)]
+        measured = None if measures is None else _read(measures)
     except (TypeError, RecursionError) as wrong:
         raise ValueError(str(wrong)) from None
     values = dict(zip(COLUMNS[:12], row[:12], strict=True)) | {
@@ -117,3 +117,10 @@ def of_row(row: tuple[Any, ...]) -> ManifestEntry:
         "seconds": seconds,
     }
     return _ENTRY.validate_python(values)
+
+
+def _read(column: str) -> Any:  # noqa: ANN401 - JSON
+    """What a column holds. Raises ValueError for what is no JSON, or no text that could be written anywhere."""
+    found = json.loads(column)
+    json.dumps(found, ensure_ascii=False).encode()
+    return found

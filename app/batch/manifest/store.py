@@ -13,7 +13,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path, PurePath
 from typing import Self
 
-from ...errors import InputError
+from ...errors import InputError, shown
 from ..work.files import unwritable
 from .entries import COLUMNS, ManifestEntry, of_row, to_row
 from .hashes import KnownRecording
@@ -172,7 +172,9 @@ def _checked(row: tuple[object, ...], folder: Path, folders: dict[PurePath, bool
         if path.parent not in folders:
             folders[path.parent] = _lies_inside(folder, path.parent)
         if path.name in {"", ".."} or "\0" in path.name or not folders[path.parent]:
-            raise _unreadable(folder, f"line {entry.id!r} names {file.path!r}, which is not in the folder")
+            raise _unreadable(folder, f"line {shown(entry.id)} names {shown(file.path)}, which is not in the folder")
+        if path.name == _LOCK or path.name.startswith(FILE):
+            raise _unreadable(folder, f"line {shown(entry.id)} names {shown(file.path)}, which is not an output")
     return entry
 
 

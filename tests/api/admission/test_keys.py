@@ -1,5 +1,6 @@
 """API keys come from the settings and from a file, and nothing of them is kept but digests."""
 
+import os
 from base64 import urlsafe_b64encode
 from hashlib import sha256
 from pathlib import Path
@@ -138,5 +139,8 @@ def test_a_file_that_changes_is_read_again_and_a_broken_one_changes_nothing(tmp_
     assert (lets_in(ONE), lets_in(OTHER)) == (True, True)
     file.unlink()
     assert (lets_in(ONE), lets_in(OTHER)) == (True, True)
+    os.mkfifo(file)
+    assert (lets_in(ONE), lets_in(OTHER)) == (True, True), "a pipe is not waited for"
+    file.unlink()
     file.write_text(f"{OTHER}  # the second\n".replace("  # the second", ""))
     assert (lets_in(ONE), lets_in(OTHER)) == (False, True)

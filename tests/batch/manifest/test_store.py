@@ -88,8 +88,11 @@ def test_recordings_are_read_again_only_when_they_changed(tmp_path: Path) -> Non
     assert KnownRecording.of(recording, known).hash != known.hash
 
 
-@pytest.mark.parametrize("path", ["../../victim", "/etc/hostname", "a/../../victim", "linked/victim", "..", "", "a\0b"])
-def test_files_outside_the_folder_are_not_the_manifests(path: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "path",
+    ["../../victim", "/etc/hostname", "a/../../victim", "linked/victim", "..", "", "a\0b", "manifest.sqlite-wal"],
+)
+def test_files_outside_the_folder_and_itself_are_not_the_manifests(path: str, tmp_path: Path) -> None:
     """A batch removes the files of a line's former version, and a folder may come from anybody."""
     out = tmp_path / "deep" / "out"
     with Manifest(out) as manifest:
@@ -106,6 +109,8 @@ def test_files_outside_the_folder_are_not_the_manifests(path: str, tmp_path: Pat
     [
         ("outputs", "[[1, 2]]"),
         ("outputs", "no JSON"),
+        ("outputs", '[["bml", "", "\\ud800", 1]]'),
+        ("warnings", '[["code", "\\ud800"]]'),
         ("outputs", '[["bml", "", 7, 12]]'),
         ("outputs", "[" * 100_000),
         ("measures", '{"words": "many"}'),
