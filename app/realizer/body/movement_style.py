@@ -176,6 +176,7 @@ class IdleLife:
     stance_weight: Share = 0.0
     ribs_side_deg: Degrees = 0.0
     ribs_twist_deg: Degrees = 0.0
+    pelvis_share: Share = 0.0
 
 
 @dataclass(frozen=True, slots=True)

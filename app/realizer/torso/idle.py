@@ -139,6 +139,7 @@ def idle_motion(
     bends[:, :, 0] += np.radians(life.slump_deg) * (0.5 + 2 * lively * noise.slump)[:, None] * list(_SLUMP.values())
     bends[:, :, 0] += bow(schedule.agitation)
     bends[:, 1:] += stance.ribs[:, None] * np.array(list(_RIBS.values()))[:, None]
+    bends[:, 0, 1] += stance.pelvis
     _hold_trunk(skeleton, rotations, held, breath, bends)
     stirred = tuple(_STIRRED) if with_limbs else ("Shoulder",)
     _stir_arms(skeleton, rotations, stirred, np.radians(life.breath_deg) * breath, lively * noise.stirring)

@@ -1,5 +1,6 @@
-"""Stances: between phrases, just before the voice begins, the weight shifts to the other leg, and the ribs bend and
-turn against the pelvis. Also the dependence of idle movement on agitation and stillness; the factors are ours.
+"""Stances: between phrases, just before the voice begins, the weight shifts to the other leg, the ribs bend and turn
+against the pelvis, and the pelvis turns a little the other way. Also the dependence of idle movement on agitation and
+stillness; the factors are ours.
 
 Speakers shift their posture where a new unit of talk begins (Cassell et al. 2001; Kendon 1972). The weight shifts
 first, since large masses move before the limbs. During long phrases the stance changes occasionally as well. A weight
@@ -35,16 +36,21 @@ MOST_WEIGHT = 1.1
 SMALLEST = 0.55
 """Each stance has at least this share of the full amounts, on the other side than the last."""
 
+_TWIST = 2
+"""The place of the twist among weight, pitch, yaw and roll."""
+
 _BOW = 0.4
 """How far the ribs bow or straighten with a stance, as a share of their twist."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class StanceCourse:
-    """The stances over time: the weight (T,), and pitch, yaw and roll of the ribs against the pelvis (T, 3)."""
+    """The stances over time: the weight (T,), pitch, yaw and roll of the ribs against the pelvis (T, 3), and the yaw of
+    the pelvis (T,)."""
 
     weight: FloatArray
     ribs: FloatArray
+    pelvis: FloatArray
 
 
 def stances(times_s: FloatArray, schedule: Schedule, life: IdleLife, *, seed: int) -> StanceCourse:
@@ -55,7 +61,7 @@ def stances(times_s: FloatArray, schedule: Schedule, life: IdleLife, *, seed: in
     durations_s = generator.uniform(*MOVING_S, len(starts_s))
     course = held[0] + superposed_movements(times_s, starts_s, durations_s, np.diff(held, axis=0))
     course *= idle_activity(schedule)
-    return StanceCourse(course[:, 0], course[:, 1:])
+    return StanceCourse(course[:, 0], course[:, 1:], -life.pelvis_share * course[:, _TWIST])
 
 
 def beside(asked: FloatArray, own: FloatArray, *, uneven: float) -> FloatArray:

@@ -46,6 +46,18 @@ def test_ribs_bend_and_turn_against_the_pelvis_and_the_trunk_goes_from_side_to_s
     assert violations(BODY, body.rotations).max() == 0
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_the_pelvis_turns_against_the_ribs_and_takes_that_part_from_the_chest(seed: int) -> None:
+    still_pelvis, turning = (
+        stances(TIMES_S, SPOKEN, replace(LIFE, pelvis_share=share), seed=seed) for share in (0.0, LIFE.pelvis_share)
+    )
+    assert np.array_equal(turning.ribs, still_pelvis.ribs)
+    assert not still_pelvis.pelvis.any()
+    assert np.ptp(turning.pelvis) > np.radians(2.0)
+    chest = turning.ribs[:, 1] + turning.pelvis
+    assert np.allclose(chest, (1 - LIFE.pelvis_share) * turning.ribs[:, 1])
+
+
 def test_what_a_posture_asks_for_is_kept() -> None:
     asked = behavior(Channel.POSTURE, "WEIGHT_ON_LEFT_LEG", 0.0, 0.8)
     body = idle_motion(BODY, TIMES_S, replace(SPOKEN, behaviors=(asked,)), seed=2, life=LIFE)
