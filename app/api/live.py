@@ -16,9 +16,10 @@ from types import MappingProxyType
 from fastapi import APIRouter, WebSocket
 from starlette.websockets import WebSocketDisconnect, WebSocketState
 
-from ..errors import ServiceError, SlowClientError, TooLargeError, TooManyError, UnderstudyError
+from ..errors import ForbiddenError, ServiceError, SlowClientError, TooLargeError, TooManyError, UnderstudyError
 from ..schemas.live import to_error, to_frames_skipped
 from ..settings import Settings
+from .admission.access import LETS_IN
 from .admission.keys import PROTOCOL, caller_of, offers_protocol
 from .connections import GONE
 from .service import Service
@@ -68,10 +69,13 @@ class OutgoingQueue:
         del self._waiting[oldest]
 
 
+KEYS_EVERY_S = 1.0
+"""How often it is looked whether a stream's key is still in use."""
+
 GOING_AWAY, ENDED, TRY_AGAIN, IDLE, ABNORMAL = 1001, 1000, 1013, 1008, 1006
 
 CLOSED_WITH: Mapping[str, int] = MappingProxyType(
-    {"service_stopping": GOING_AWAY, "live_idle": IDLE, "live_unread": IDLE, "live_too_long": ENDED}
+    {"service_stopping": GOING_AWAY, "live_idle": IDLE, "live_unread": IDLE, "key_wrong": IDLE, "live_too_long": ENDED}
 )
 """Close codes by error code; `TRY_AGAIN` for all others."""
 
@@ -87,7 +91,7 @@ async def live(socket: WebSocket) -> None:
         service.rates.take(socket.client.host if socket.client else "")
         async with service.streams.process(caller_of(socket)) as worker:
             await _converse(socket, service, worker)
-    except (ServiceError, SlowClientError, TooLargeError, TooManyError) as error:
+    except (ForbiddenError, ServiceError, SlowClientError, TooLargeError, TooManyError) as error:
         await _refuse(socket, error)
     except (WebSocketDisconnect, ConnectionError):
         pass
@@ -103,6 +107,7 @@ async def _converse(socket: WebSocket, service: Service, worker: Worker) -> None
         asyncio.create_task(_stop(service)),
         asyncio.create_task(_expire(service.settings)),
         asyncio.create_task(_leave(socket)),
+        asyncio.create_task(_shut_out(socket)),
     }
     try:
         done, _ = await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
@@ -190,6 +195,13 @@ async def _leave(socket: WebSocket) -> None:
     gone: asyncio.Event = socket.scope.get("extensions", {}).get(GONE) or asyncio.Event()
     await gone.wait()
     raise WebSocketDisconnect(ABNORMAL)
+
+
+async def _shut_out(socket: WebSocket) -> None:
+    """Raises ForbiddenError `key_wrong` when the key that the stream began with is removed or expires."""
+    while getattr(socket.state, LETS_IN)():
+        await asyncio.sleep(KEYS_EVERY_S)
+    raise ForbiddenError("key_wrong", "the API key has expired or is no longer in use")
 
 
 async def _refuse(socket: WebSocket, error: UnderstudyError) -> None:

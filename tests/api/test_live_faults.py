@@ -8,6 +8,7 @@ import struct
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
+from pathlib import Path
 
 import psutil
 import pytest
@@ -130,6 +131,19 @@ def test_one_caller_does_not_have_all_places(nursery: Nursery) -> None:
             with connect(address, additional_headers=headers, proxy=None) as second:
                 told, code = last(second)
         assert (told["code"], code) == ("too_many_streams", 1013)
+
+
+def test_a_stream_whose_key_is_removed_ends(nursery: Nursery, tmp_path: Path) -> None:
+    keys, key = tmp_path / "keys", "a-key-of-sixteen-letters-or-more"
+    keys.write_text(key)
+    with served(nursery, api_keys_file=keys) as running:
+        address, headers = f"ws://{HOST}:{running.port}/live", {"Authorization": f"Bearer {key}"}
+        with connect(address, additional_headers=headers, proxy=None) as opened:
+            opened.send(START)
+            assert json.loads(opened.recv())["type"] == "ready"
+            keys.write_text("another-" + key)
+            told, code = last(opened)
+    assert (told["code"], told["goes_on"], code) == ("key_wrong", False, 1008)
 
 
 def test_words_of_impossible_length_are_told_and_nothing_computed(nursery: Nursery) -> None:

@@ -8,6 +8,7 @@ know neither names nor keys; `/docs`, `/openapi.json` and the studio page need n
 import logging
 import time
 from dataclasses import dataclass, field
+from functools import partial
 from ipaddress import ip_address
 from typing import Self
 
@@ -82,6 +83,11 @@ class Admission:
             return None
         return self._wrong_key(arrival)
 
+    def lets_in(self, headers: Headers) -> bool:
+        """Whether the key that came with a request is still one of those in use, if any is needed."""
+        keys = self.keys.current
+        return not keys.are_asked or keys.name(authorization(headers)) is not None
+
     def _wrong_place(self, arrival: Arrival) -> Response | None:
         """Refuses an unknown host, a foreign origin, and two ways of stating the length."""
         host, origin = arrival.headers.get("host"), arrival.headers.get("origin")
@@ -135,6 +141,9 @@ def _is_under(path: str, places: tuple[str, ...]) -> bool:
     return any(path == (place or "/") or (place and path.startswith(f"{place}/")) for place in places)
 
 
+LETS_IN = "lets_in"
+"""The name in a request's state of what says whether its key is still in use."""
+
 _STARTS = frozenset({"http.response.start", "websocket.http.response.start"})
 _SWITCHING, _FORBIDDEN, _FAILED = 101, 403, 500
 
@@ -168,6 +177,7 @@ class AdmissionMiddleware:
         headers = Headers(scope=scope)
         current_id.set(request_id(headers.get(REQUEST_ID)))
         scope.setdefault("state", {})["key"] = self._admission.keys.current.name(authorization(headers))
+        scope["state"][LETS_IN] = partial(self._admission.lets_in, headers)
         refusal = self._admission.refusal(_arrival(scope, headers))
         answer = _Answer(send)
         begun_s = time.perf_counter()

@@ -120,7 +120,7 @@ def of_row(row: tuple[Any, ...]) -> ManifestEntry:
 
 
 def _read(column: str) -> Any:  # noqa: ANN401 - JSON
-    """What a column holds. Raises ValueError for what is no JSON, or no text that could be written anywhere."""
+    """What a column holds. Raises ValueError where it is not JSON, or has text that could not be written anywhere."""
     found = json.loads(column)
     json.dumps(found, ensure_ascii=False).encode()
     return found
