@@ -19,7 +19,7 @@ def test_an_amplitude_scales_the_distance_from_the_centre() -> None:
 
 def test_a_large_movement_brings_no_hand_into_the_chest() -> None:
     assert NEAREST_M < sector_m(NEAR, 1.3)[2] < sector_m(NEAR)[2]
-    assert sector_m(NEAR, 1.9)[2] == NEAREST_M
+    assert sector_m(NEAR, 2.0)[2] == NEAREST_M
 
 
 def test_what_is_at_the_chest_by_itself_stays_there() -> None:
