@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from .behavior.reading.families import Families
     from .behavior.reading.planner import Planner
     from .behavior.slots.table import SlotTable
-    from .model import Tone
+    from .model import CallableNames, Tone
     from .model.limits import GestureTable
     from .profiles.profile import Profile
     from .realizer.gestures.library import Library
@@ -161,7 +161,7 @@ class BehaviorModels:
         lexicon = lexicon_folder()
         characters = load_characters()
         families = load_families(characters)
-        rules, models = load_mapping_rules(characters.behavior_names), resource_folder("models")
+        rules, models = load_mapping_rules(characters.callable_names), resource_folder("models")
         return cls(
             settings=settings,
             characters=characters,
@@ -232,16 +232,13 @@ def load_slots(families: Families) -> SlotTable:
     return Cache.of_environment().kept("slots", [path], lambda: SlotTable.load(path, shows), made_with=str(shows))
 
 
-def load_mapping_rules(behavior_names: Collection[str]) -> MappingRules:
-    """The current mapping rules, choosing among `behavior_names`; raises AuthoringError with all mistakes in them."""
-    from .behavior.candidates.vocabulary import BANNABLE
+def load_mapping_rules(names: CallableNames) -> MappingRules:
+    """The current mapping rules, which call these `names`; raises AuthoringError with all mistakes in them."""
     from .rules.mapping import MappingRules
 
-    names, rules = " ".join(sorted(behavior_names)), rules_folder(RULES)
-    cache = Cache.of_environment()
-    return cache.kept(
-        "mapping_rules", _authored(rules), lambda: MappingRules.load(rules, behavior_names, BANNABLE), made_with=names
-    )
+    rules, cache = rules_folder(RULES), Cache.of_environment()
+    told = " ".join(sorted(names.behaviors | names.demandable | names.bannable))
+    return cache.kept("mapping_rules", _authored(rules), lambda: MappingRules.load(rules, names), made_with=told)
 
 
 def load_gestures() -> Library:

@@ -43,19 +43,19 @@ def test_kept_function_rules_find_what_read_ones_find(understudy: Understudy) ->
 def test_kept_characters_mappings_and_gestures_are_those_read() -> None:
     for _ in range(2):
         characters = loading.load_characters()
-        mappings = loading.load_mapping_rules(characters.behavior_names)
+        mappings = loading.load_mapping_rules(characters.callable_names)
         gestures = loading.load_gestures()
     assert characters == Characters.load(LEXICON)
-    assert mappings.program.rules == MappingRules.load(RULES, characters.behavior_names).program.rules
+    assert mappings.program.rules == MappingRules.load(RULES, characters.callable_names).program.rules
     read = Library.load(LEXICON / "gestures")
     assert (gestures.definitions, gestures.aliases) == (read.definitions, read.aliases)
 
 
 def test_mapping_rules_are_read_again_when_a_behaviour_is_gone() -> None:
-    names = loading.load_characters().behavior_names
+    names = loading.load_characters().callable_names
     loading.load_mapping_rules(names)
     with pytest.raises(AuthoringError):
-        loading.load_mapping_rules(sorted(names)[1:])
+        loading.load_mapping_rules(replace(names, behaviors=frozenset(sorted(names.behaviors)[1:])))
 
 
 def test_a_saved_rule_is_in_use_at_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -68,7 +68,7 @@ class Catalogue:
     def load(cls) -> "Catalogue":
         """Load all files. Raises AuthoringError with all mistakes of the first kind of file that has any."""
         characters = load_characters()
-        mappings = load_mapping_rules(characters.behavior_names)
+        mappings = load_mapping_rules(characters.callable_names)
         return cls.of(load_function_rules(), characters, mappings, load_families(characters))
 
     @classmethod

@@ -9,11 +9,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from ..authored_folders import AUTHORED, lexicon_folder, name_in_checkout, origin, rules_folder
-from ..behavior.candidates.vocabulary import BANNABLE
 from ..behavior.characters.overlays import Characters
 from ..behavior.reading.families import load_families
 from ..behavior.table.behavior_table import load_table
 from ..errors import AuthoringError, InputError, Mistake, collected
+from ..model import CallableNames
 from ..models import load_characters, load_gestures
 from ..realizer.body.skeleton import Skeleton
 from ..realizer.exporting.retargeting import load_rigs
@@ -57,14 +57,14 @@ def temporary_folder() -> TemporaryDirectory[str]:
     return TemporaryDirectory(prefix=EDITED, dir=_IN_MEMORY if _IN_MEMORY.is_dir() else None)
 
 
-def compile_rules(root: Path, behavior_names: frozenset[str]) -> CompiledRules:
+def compile_rules(root: Path, names: CallableNames) -> CompiledRules:
     """Loads the rules and words under `root`, which are named as in a checkout; raises AuthoringError with every
     mistake in them."""
     rules, words = root / name_in_checkout(rules_folder()), root / name_in_checkout(lexicon_folder() / "en")
     found: list[Mistake] = []
     collected(lambda: refuse_unread_words(words), found)
     functions = collected(lambda: FunctionRules.load(rules, words), found)
-    mappings = collected(lambda: MappingRules.load(rules, behavior_names, BANNABLE), found)
+    mappings = collected(lambda: MappingRules.load(rules, names), found)
     if functions is None or mappings is None or found:
         raise AuthoringError(tuple(dict.fromkeys(found)))
     return CompiledRules(functions, mappings)
@@ -82,10 +82,7 @@ def check_files(paths: Iterable[Path]) -> int:
     placed = dict(_placed([file for file in files if file not in alone]))
     others = [file for file in files if file not in {*alone, *placed.values()}]
     mistakes = mistakes_of(
-        lambda: (
-            alone
-            and load_program(alone, behaviors=load_characters().behavior_names, bannable=BANNABLE, printed=PRINTED)
-        ),
+        lambda: alone and load_program(alone, behaviors=load_characters().callable_names, printed=PRINTED),
         *(partial(NAMED_FILES[file.name], file) for file in others if file.name in NAMED_FILES),
         *(
             partial(load_rigs, folder, Skeleton.standing())
@@ -135,7 +132,7 @@ def _checks(root: Path, files: Mapping[str, Path]) -> Iterator[Check]:
     lexicon = root / name_in_checkout(lexicon_folder())
     kinds = {_kind(name) for name in files}
     if kinds & {"rules", "en"}:
-        yield partial(compile_rules, root, load_characters().behavior_names)
+        yield partial(compile_rules, root, load_characters().callable_names)
     if kinds & {"gestures", "characters", "behaviors"}:
         yield partial(_check_bodies, lexicon, has_gestures="gestures" in kinds)
     if kinds & {"acting", "behaviors"}:

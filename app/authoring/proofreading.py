@@ -132,7 +132,7 @@ def check_files_in_use() -> None:
         load_function_rules,
         lambda: refuse_unread_words(lexicon / "en"),
         partial(Normaliser.load, lexicon / "en" / "abbreviations.yaml", ()),
-        lambda: load_mapping_rules(load_characters().behavior_names),
+        lambda: load_mapping_rules(load_characters().callable_names),
         load_gestures,
         partial(FaceTables.load, lexicon / "face.yaml"),
         partial(MovementStyle.load, lexicon / "movement.yaml"),

@@ -14,7 +14,7 @@ from typing import TypeVar
 
 from ..errors import AuthoringError, InputError, Mistake, collected
 from ..files import resource_folder
-from ..model import Function, Utterance, Word
+from ..model import CallableNames, Function, Utterance, Word
 from ..models import Understudy
 from ..rules.derivation import understand
 from ..rules.lexicon import SLOT, Lexicon
@@ -27,14 +27,14 @@ Edits = Mapping[str, str]
 """The whole text of each edited file, by its name."""
 
 
-def mistakes_in(edits: Edits, behavior_names: frozenset[str]) -> tuple[Mistake, ...]:
+def mistakes_in(edits: Edits, names: CallableNames) -> tuple[Mistake, ...]:
     """Every mistake in the rules and words with these edits, and in edited gestures, characters, profiles and weights,
     with the names of their files. Raises InputError `unknown_file`."""
     lexicon = {full: text for name, text in edits.items() if (full := LEXICON_FILES.known(name))}
     rules = {name: text for name, text in edits.items() if not LEXICON_FILES.known(name)}
     found = list(_lexicon_mistakes(lexicon))
     if rules or not lexicon:
-        collected(lambda: compile_edits(rules, behavior_names), found)
+        collected(lambda: compile_edits(rules, names), found)
     return tuple(found)
 
 
@@ -52,7 +52,7 @@ def with_edits(understudy: Understudy, edits: Edits) -> Understudy:
     if not edits:
         return understudy
     try:
-        compiled = compile_edits(edits, frozenset(understudy.behavior.characters.behavior_names))
+        compiled = compile_edits(edits, understudy.behavior.characters.callable_names)
     except AuthoringError as error:
         raise rules_wrong(error) from None
     return replace(
@@ -70,24 +70,24 @@ def rules_wrong(error: AuthoringError) -> InputError:
     return InputError("rules_wrong", message, field=RULE_FILES.field)
 
 
-def compile_edits(edits: Edits, behavior_names: frozenset[str]) -> CompiledRules:
+def compile_edits(edits: Edits, names: CallableNames) -> CompiledRules:
     """Compiles the edited rules; the last two results are cached, since a line is tried more often than a rule is
     changed.
 
     Raises AuthoringError with every mistake, InputError `unknown_file`.
     """
     full = {RULE_FILES.required(name): text for name, text in edits.items()}
-    return _compiled(tuple(sorted(full.items())), behavior_names)
+    return _compiled(tuple(sorted(full.items())), names)
 
 
 @lru_cache(maxsize=2)
-def _compiled(edits: tuple[tuple[str, str], ...], behavior_names: frozenset[str]) -> CompiledRules:
+def _compiled(edits: tuple[tuple[str, str], ...], names: CallableNames) -> CompiledRules:
     in_use = {name: path.read_text("utf-8") for name, path in RULE_FILES.files().items()}
     with temporary_folder() as folder:
         for name, text in (in_use | dict(edits)).items():
             _write(Path(folder, name), text)
         try:
-            return compile_rules(Path(folder), behavior_names)
+            return compile_rules(Path(folder), names)
         except AuthoringError as error:
             raise AuthoringError(tuple(_renamed(mistake, Path(folder)) for mistake in error.mistakes)) from None
 

@@ -33,7 +33,16 @@ from ..profiles.generation.script import GestureScript
 from ..profiles.profile import Profile
 from ..settings import Settings
 from .candidates.attitudes import Attitude, attitude_candidates, without_faces
-from .candidates.demands import banned_by, beside, demanded, kept_free, named, permitted, wherever_offered
+from .candidates.demands import (
+    banned_by,
+    beside,
+    check_demands,
+    demanded,
+    kept_free,
+    overruled,
+    permitted,
+    wherever_offered,
+)
 from .candidates.notes import directed, unplayed_notes
 from .candidates.planned import candidates_of
 from .candidates.targets import mentions, pointing_candidates, without_overlapped
@@ -154,12 +163,13 @@ def performer_of(
     profile = models.profile(options.profile)
     character = abstaining(models.performers.named(options.character, analysis.utterance.level), models.families)
     character = as_speaker(character, profile) if profile else character
-    always = wherever_offered(character.always, supports_of(mapped.offers), f"the character {character.name}")
-    noted = tuple(named(direction.demands, character.entries)) if direction else ()
-    demands = (*mapped.demands, *always, *forbidden(character), *noted)
+    noted = direction.demands if direction else ()
+    check_demands(noted, models.families, character.entries)
+    demands = (*mapped.demands, *forbidden(character), *noted)
     line = Understood(analysis.utterance, analysis.functions, analysis.facts, mapped.offers)
     player = _player(models, character, line, options, demands)
-    return Performer(models, character, profile, options, line, player, demands, direction, near)
+    always = wherever_offered(character.always, supports_of(mapped.offers), player, f"the character {character.name}")
+    return Performer(models, character, profile, options, line, player, (*demands, *always), direction, near)
 
 
 def _player(
@@ -188,7 +198,7 @@ def meanings_at(performer: Performer, words: Collection[int]) -> Mapping[int, tu
 def plan_line(performer: Performer) -> PlannedLine:
     """The plan of the line: what its phrases mean for gestures, heads and faces, with a director's notes first; the
     notes alone where functions choose by priority, as in the paper."""
-    asked = demanded(performer.player, performer.demands)
+    asked = demanded(performer.player, performer.demands, performer.line.utterance)
     planned = _planned(performer, asked)
     if not performer.reads:
         return PlannedLine(planned, asked)
@@ -269,7 +279,9 @@ def _not_taken(
     if not performer.reads:
         return ()
     line = replace(performer.line, utterance=analysis.utterance)
-    return tuple(not_taken(line, planned.plan, performer.player, behaviors, near=performer.near))
+    forbidden_there = overruled(performer.player, performer.demands, analysis.utterance)
+    plan = replace(planned.plan, moments=(*planned.plan.moments, *forbidden_there))
+    return tuple(not_taken(line, plan, performer.player, behaviors, near=performer.near))
 
 
 def assemble(

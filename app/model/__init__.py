@@ -13,6 +13,7 @@ from .body import Channel, Hand
 from .choice import (
     Alternative,
     BehaviorCandidates,
+    CallableNames,
     Demand,
     MappedFunctions,
     Mode,
@@ -60,6 +61,7 @@ __all__ = [
     "Because",
     "Behavior",
     "BehaviorCandidates",
+    "CallableNames",
     "Channel",
     "Clause",
     "Contours",

@@ -75,7 +75,7 @@ class Movement:
 class Demand:
     """What is shown `always` over words `first` to `last`, or never: above all worths.
 
-    `what` is a behaviour; of what never comes, a lexeme, a family or a channel too. `by` says who demands it.
+    `what` is a behaviour, a lexeme or a family; of what never comes, a channel too. `by` says who demands it.
     """
 
     what: str
@@ -84,6 +84,16 @@ class Demand:
     always: bool
     by: str
     function: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class CallableNames:
+    """What mapping rules may call: `behaviors` of the table; below `always` what is in `demandable` too, below `never`
+    what is in `bannable`."""
+
+    behaviors: frozenset[str]
+    demandable: frozenset[str] = frozenset()
+    bannable: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ account (`app/behavior/choice/choosing.py`).
 
 import random
 from collections import defaultdict
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import isinf, log
 from pathlib import Path
@@ -18,6 +18,7 @@ from ..errors import AuthoringError, Mistake
 from ..model import (
     Alternative,
     BehaviorCandidates,
+    CallableNames,
     Demand,
     Fact,
     Function,
@@ -42,14 +43,13 @@ class MappingRules:
     asked: frozenset[str]
 
     @classmethod
-    def load(cls, rules: Path, behavior_names: Collection[str], bannable: Collection[str] = ()) -> "MappingRules":
-        """Loads the rules in `rules`/behaviors over `rules`/vocabulary.rules, which may choose `behavior_names`, and
-        forbid what is `bannable` too.
+    def load(cls, rules: Path, names: CallableNames) -> "MappingRules":
+        """Loads the rules in `rules`/behaviors over `rules`/vocabulary.rules, which may call these `names`.
 
         Raises AuthoringError with every mistake, also for a rule that joins no function.
         """
         paths = [rules / "vocabulary.rules", *sorted((rules / "behaviors").glob("*.rules"))]
-        program = load_program(paths, behaviors=behavior_names, bannable=bannable, printed=PRINTED)
+        program = load_program(paths, behaviors=names, printed=PRINTED)
         mistakes = tuple(
             Mistake(rule.path, rule.line, 1, f"rule {rule.name} maps no function; join `fcn(class, …)`")
             for rule in program.rules

@@ -108,7 +108,7 @@ class DemandRequest(_NoteForm):
         str,
         Field(
             max_length=100,
-            description="Always: a behaviour. Never: a behaviour, lexeme, family or channel, `hands` or `any`.",
+            description="A behaviour, lexeme or family. Never: also a channel, `hands` or `any`.",
         ),
     ]
 

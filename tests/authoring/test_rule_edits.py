@@ -7,6 +7,7 @@ import pytest
 from understudy.authoring.rule_edits import compare, compile_edits, example_lines, mistakes_in, with_edits
 from understudy.authoring.saved_files import RULE_FILES
 from understudy.errors import InputError
+from understudy.model import CallableNames
 from understudy.models import Understudy
 from understudy.rules.stage import find_functions
 
@@ -42,7 +43,7 @@ def test_without_edits_the_models_are_the_same(understudy: Understudy) -> None:
 
 
 def test_mistakes_are_told_by_the_names_of_the_files(understudy: Understudy) -> None:
-    names = frozenset(understudy.behavior.characters.behavior_names)
+    names = understudy.behavior.characters.callable_names
     wrong = text_of(AGREEMENT).replace("big_nod(", "bigger_nod(", 1)
     lines = wrong.splitlines()
     found = mistakes_in({AGREEMENT: wrong, WORDS: "clas: thanks\n"}, names)
@@ -52,7 +53,7 @@ def test_mistakes_are_told_by_the_names_of_the_files(understudy: Understudy) -> 
 
 
 def test_a_rule_that_is_said_twice_names_the_other_without_our_folder(understudy: Understudy) -> None:
-    names = frozenset(understudy.behavior.characters.behavior_names)
+    names = understudy.behavior.characters.callable_names
     again = text_of(AGREEMENT).partition("\nrule ")[2].partition("\n\n")[0]
     found = mistakes_in({MIND: f"{text_of(MIND)}\nrule {again}\n"}, names)
     assert any(f"also at {AGREEMENT}:" in mistake.message for mistake in found)
@@ -62,7 +63,7 @@ def test_a_rule_that_is_said_twice_names_the_other_without_our_folder(understudy
 @pytest.mark.parametrize("name", ["lexicon/en/../behaviors.yaml", "/etc/passwd", "lexicon/behaviors.yaml"])
 def test_other_files_are_no_rules(name: str) -> None:
     with pytest.raises(InputError) as caught:
-        compile_edits({name: ""}, frozenset())
+        compile_edits({name: ""}, CallableNames(frozenset()))
     assert caught.value.code == "unknown_file"
 
 

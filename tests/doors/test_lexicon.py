@@ -146,7 +146,7 @@ def test_a_new_file_gets_the_same_answer_at_both_doors(tmp_path: Path, name: str
         told = []
     except AuthoringError as error:
         told = [(each.line, each.column, each.message) for each in error.mistakes]
-    served = mistakes_in({name: text}, load_characters().behavior_names)
+    served = mistakes_in({name: text}, load_characters().callable_names)
     assert told == [(each.line, each.column, each.message) for each in served]
 
 

@@ -71,7 +71,7 @@ EVERY_FUNCTION = [(name, subtype) for name, subtypes in SUBTYPES.items() for sub
 
 @pytest.fixture(scope="module")
 def rules() -> MappingRules:
-    return MappingRules.load(RULES, CHARACTERS.behavior_names)
+    return MappingRules.load(RULES, CHARACTERS.callable_names)
 
 
 def offered(
@@ -244,12 +244,12 @@ def test_functions_that_lost_are_not_shown(rules: MappingRules) -> None:
 )
 def test_rules_that_cannot_map_do_not_load(tmp_path: Path, rule: str, message: str) -> None:
     with pytest.raises(AuthoringError, match=message):
-        MappingRules.load(_folder(tmp_path, rule), CHARACTERS.behavior_names)
+        MappingRules.load(_folder(tmp_path, rule), CHARACTERS.callable_names)
 
 
 def test_a_behaviour_on_no_span_is_the_rules_mistake(tmp_path: Path) -> None:
     rule = "foreach\n  fcn(negation, _, $s, $e, _)\nchoose\n  weight 1\n    shake($e, $s)\n"
-    rules = MappingRules.load(_folder(tmp_path, rule), CHARACTERS.behavior_names)
+    rules = MappingRules.load(_folder(tmp_path, rule), CHARACTERS.callable_names)
     with pytest.raises(AuthoringError, match=r"shake\(3, 2\) is not a span"):
         chosen(rules, (function("negation", "plain", 2, 2),))
 
@@ -272,7 +272,7 @@ choose
     shake($start, $end)
     head($start, $end)
 """
-    rules = MappingRules.load(_folder(tmp_path, rule), CHARACTERS.behavior_names, ("head",))
+    rules = MappingRules.load(_folder(tmp_path, rule), CHARACTERS.callable_names)
     words = tuple(Word(index, text) for index, text in enumerate(("So", "whatever.")))
     mapped = map_functions(rules, Utterance(words, Parse((), (), ())), (), seed=0)
     assert mapped.offers == ()
@@ -286,4 +286,4 @@ choose
 def test_what_is_neither_behaviour_nor_family_nor_channel_cannot_be_forbidden(tmp_path: Path) -> None:
     rule = "foreach\n  word(no, $s, $e)\nchoose\n  never\n    shakes($s, $e)\n"
     with pytest.raises(AuthoringError, match="unknown behaviour shakes; did you mean 'shake'"):
-        MappingRules.load(_folder(tmp_path, rule), CHARACTERS.behavior_names)
+        MappingRules.load(_folder(tmp_path, rule), CHARACTERS.callable_names)

@@ -16,7 +16,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 @pytest.fixture(scope="module")
 def rules() -> MappingRules:
-    return MappingRules.load(ROOT / "app" / "rules", Characters.load(ROOT / "lexicon").behavior_names)
+    return MappingRules.load(ROOT / "app" / "rules", Characters.load(ROOT / "lexicon").callable_names)
 
 
 def offered(rules: MappingRules, text: str) -> set[str]:

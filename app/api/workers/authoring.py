@@ -74,8 +74,8 @@ def take_pose(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer,
 def check_rules(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:
     """Every mistake in edited rules and words."""
     asked = read_rule_edits(_json(job, content))
-    names = frozenset(understudy.behavior.characters.behavior_names)
-    return Answer(JSON), RuleCheckResponse.of(mistakes_in(asked.files, names)).to_json()
+    found = mistakes_in(asked.files, understudy.behavior.characters.callable_names)
+    return Answer(JSON), RuleCheckResponse.of(found).to_json()
 
 
 def explain_rule(understudy: Understudy, job: Job, content: bytes) -> tuple[Answer, bytes]:

@@ -1,6 +1,6 @@
 """What comes always, and what never: an author's word, above all worths.
 
-A mapping rule, a character or a note may demand a behaviour, or forbid a behaviour, a lexeme, a family or a channel.
+A mapping rule, a character or a note may demand a behaviour, a lexeme or a family, or forbid these or a channel.
 What is demanded has its place before anything else is chosen, and is shown wherever time and hands allow; what is
 forbidden is no candidate, and what nobody asked for does not come either.
 """
@@ -10,12 +10,12 @@ from dataclasses import replace
 from itertools import chain
 
 from ...errors import InputError, did_you_mean, shown
-from ...model import Alternative, BehaviorCandidates, Channel, Demand, Moment, Movement, Term
-from ..reading.families import Families, Playable, family_rule
+from ...model import Alternative, BehaviorCandidates, Channel, Demand, Moment, Movement, Term, Utterance
+from ..reading.families import Families, Playable, family_rule, fitting
 from ..reading.player import Ban, Player
 from ..reading.strokes import STROKES_APART_S
 from ..reading.supports import Support
-from .vocabulary import ANYTHING, HANDS
+from .vocabulary import ANYTHING, BANNABLE, HANDS
 
 ALWAYS = "always"
 PRIORITY = 1000.0
@@ -23,6 +23,11 @@ PRIORITY = 1000.0
 
 DEMANDED_LOG_ODDS = 99.0
 """What the author's word is told to weigh."""
+
+STEEPNESS = 10.0
+"""How many times as much each behaviour of what is asked for weighs as the next."""
+
+_CHANNELS = frozenset({*Channel, HANDS, ANYTHING})
 
 
 def meant(what: str, families: Families, behaviors: Mapping[str, Playable]) -> frozenset[str]:
@@ -46,39 +51,87 @@ def banned_by(demands: Iterable[Demand], families: Families, behaviors: Mapping[
             yield Ban(demand.first, demand.last, meant(demand.what, families, behaviors), f"excluded by {demand.by}")
 
 
-def wherever_offered(names: Iterable[str], supports: Iterable[Support], by: str) -> Iterator[Demand]:
-    """The demands of a character who always shows these behaviours where a rule offers them."""
-    wanted = frozenset(names)
-    for support in supports:
-        if support.name in wanted:
-            function = support.function
-            yield Demand(support.name, function.first, function.last, always=True, by=by, function=function.id)
+def wherever_offered(names: Iterable[str], supports: Iterable[Support], player: Player, by: str) -> Iterator[Demand]:
+    """The demands of a character who always shows these wherever a rule offers them: behaviours, or of a lexeme, family
+    or channel the behaviour of a function that is offered most strongly."""
+    offered = tuple(supports)
+    for what in names:
+        wanted = {what} if what in player.behaviors else meant(what, player.families, player.behaviors)
+        best: dict[str, Support] = {}
+        for support in (each for each in offered if each.name in wanted):
+            so_far = best.get(support.function.id)
+            if so_far is None or support.log_odds > so_far.log_odds:
+                best[support.function.id] = support
+        for key, support in best.items():
+            yield Demand(support.name, support.function.first, support.function.last, True, by, key)
 
 
-def named(demands: Iterable[Demand], behaviors: Mapping[str, Playable]) -> Iterator[Demand]:
-    """The demands, each with the name of a behaviour where a note asks for its lexeme; raises InputError
-    `direction_family` for what is always to come and is neither."""
+def check_demands(demands: Iterable[Demand], families: Families, behaviors: Mapping[str, Playable]) -> None:
+    """Raises InputError `direction_family` for what notes ask for or forbid that is nothing known, or that is a channel
+    and is to come always, since a channel does not say which movement."""
     for demand in demands:
-        if not demand.always or demand.what in behaviors:
-            yield demand
-            continue
-        shows = [name for name, entry in behaviors.items() if entry.lexeme == demand.what.upper()]
-        if not shows:
-            known = did_you_mean(demand.what, behaviors)
-            message = f"{demand.by}: there is no behaviour {shown(demand.what)}{known}; docs/behaviors.md has them"
+        if demand.always and demand.what in _CHANNELS:
+            message = f"{demand.by}: {shown(demand.what)} does not say which movement; name a behaviour or family"
             raise InputError("direction_family", message, field="direction")
-        yield replace(demand, what=shows[0])
+        if not meant(demand.what, families, behaviors) and not meant(demand.what.upper(), families, behaviors):
+            known = did_you_mean(demand.what, {*behaviors, *BANNABLE})
+            message = f"{demand.by}: there is no behaviour, lexeme or family {shown(demand.what)}{known}"
+            raise InputError("direction_family", f"{message}; docs/behaviors.md has them", field="direction")
 
 
-def demanded(player: Player, demands: Iterable[Demand]) -> tuple[BehaviorCandidates, ...]:
+def demanded(player: Player, demands: Iterable[Demand], utterance: Utterance) -> tuple[BehaviorCandidates, ...]:
     """The candidates that the demands ask for, each a moment of its own; nothing that is forbidden there."""
-    wanted = dict.fromkeys(each for each in demands if each.always)
-    return tuple(
-        BehaviorCandidates(None, (Alternative((_movement(demand, moment),), 1.0, 1.0),), moment)
-        for demand in wanted
-        if not player.banned(demand.what, demand.first, demand.last)
-        for moment in (_moment(player, demand),)
+    found = ((demand, _allowed(player, demand, utterance)) for demand in _asked(demands))
+    return tuple(_candidates(player, demand, names) for demand, names in found if names)
+
+
+def overruled(player: Player, demands: Iterable[Demand], utterance: Utterance) -> Iterator[Moment]:
+    """The moments of what is asked for always though all that would show it is forbidden there."""
+    for demand in _asked(demands):
+        names = _named(player, demand, utterance)
+        if names and not _allowed(player, demand, utterance):
+            yield _moment(player, demand, names[0])
+
+
+def _asked(demands: Iterable[Demand]) -> tuple[Demand, ...]:
+    """What is to come always, each once: several functions of the same words may ask for it."""
+    found: dict[tuple[str, int, int], Demand] = {}
+    for demand in demands:
+        if demand.always:
+            found.setdefault((demand.what, demand.first, demand.last), demand)
+    return tuple(found.values())
+
+
+def _allowed(player: Player, demand: Demand, utterance: Utterance) -> tuple[str, ...]:
+    names = _named(player, demand, utterance)
+    return tuple(name for name in names if not player.banned(name, demand.first, demand.last))
+
+
+def _named(player: Player, demand: Demand, utterance: Utterance) -> tuple[str, ...]:
+    """The behaviours that show what is asked for, the best first: that of the name, those of a family that suit the
+    words, or those of the lexeme."""
+    if demand.what in player.behaviors:
+        return (demand.what,)
+    families = player.families
+    kinds = (families.gesture, families.head, families.face, families.gaze)
+    listed = next((each[demand.what] for each in kinds if demand.what in each), ())
+    words = range(demand.first, demand.last + 1)
+    lemmas = frozenset(token.lemma.lower() for token in utterance.parse.tokens if token.word in words)
+    lexeme = demand.what.upper()
+    return fitting(listed, lemmas, utterance.level) or tuple(
+        name for name, entry in player.behaviors.items() if entry.lexeme == lexeme
     )
+
+
+def _candidates(player: Player, demand: Demand, names: Sequence[str]) -> BehaviorCandidates:
+    """The first of these behaviours, or the next where that has no time or hand."""
+    moment = _moment(player, demand, names[0])
+    weights = (STEEPNESS**-place for place in range(len(names)))
+    alternatives = (
+        Alternative((_movement(demand, name, moment),), weight, 1.0)
+        for name, weight in zip(names, weights, strict=True)
+    )
+    return BehaviorCandidates(None, tuple(alternatives), moment)
 
 
 def permitted(candidates: Iterable[BehaviorCandidates], player: Player) -> tuple[BehaviorCandidates, ...]:
@@ -126,26 +179,34 @@ def _lexemes_of(what: str, families: Families, behaviors: Mapping[str, Playable]
     return first | {behaviors[each.name].lexeme for each in listed}
 
 
-def _moment(player: Player, demand: Demand) -> Moment:
-    entry = player.behaviors[demand.what]
-    shown = player.families.shows.get(entry.lexeme, (demand.what,))
+def _moment(player: Player, demand: Demand, name: str) -> Moment:
     return Moment(
-        id=f"{ALWAYS}.{demand.what}.{demand.first}",
-        channel=entry.channel,
+        id=f"{ALWAYS}.{demand.what}.{demand.first}.{demand.last}",
+        channel=player.behaviors[name].channel,
         first=demand.first,
         last=demand.last,
         stroke=demand.last,
-        families=shown,
+        families=_read_as(player, name),
         importance=1.0,
         terms=(Term(f"required by {demand.by}", DEMANDED_LOG_ODDS),),
         demanded=True,
     )
 
 
-def _movement(demand: Demand, moment: Moment) -> Movement:
+def _read_as(player: Player, name: str) -> tuple[str, ...]:
+    """The families or the kind that a behaviour shows; its own name where there is none."""
+    families, entry = player.families, player.behaviors[name]
+    if entry.channel is Channel.GESTURE:
+        return families.shows.get(entry.lexeme, (name,))
+    kinds = {Channel.HEAD: families.head, Channel.FACE: families.face, Channel.GAZE: families.gaze}
+    listed = kinds.get(entry.channel, {})
+    return next(((kind,) for kind, shows in listed.items() if any(each.name == name for each in shows)), (name,))
+
+
+def _movement(demand: Demand, name: str, moment: Moment) -> Movement:
     rule = demand.by.removeprefix("rule ") if demand.by.startswith("rule ") else family_rule(moment.channel, ALWAYS)
     return Movement(
-        name=demand.what,
+        name=name,
         first=demand.first,
         last=demand.last,
         priority=PRIORITY,

@@ -42,6 +42,8 @@ def check_direction(direction: Direction, *, words: int) -> None:
         where = f"avoid[{number}]"
         _check_words(where, {"first": avoidance.first, "last": avoidance.last}, words)
         _check_kinds(f"{where}.what", avoidance.what, AVOIDABLE)
+    for demand in direction.demands:
+        _check_words(demand.by.removeprefix("the note "), {"first": demand.first, "last": demand.last}, words)
 
 
 def conflicts(direction: Direction) -> tuple[Notice, ...]:

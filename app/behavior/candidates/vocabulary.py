@@ -125,4 +125,8 @@ BANNABLE = frozenset({*(kind for kinds in KINDS.values() for kind in kinds), HAN
 """What an author may forbid besides behaviours and lexemes: a family of gestures, a kind of movement of head, face or
 eyes, a channel, the hands, everything."""
 
+DEMANDABLE = frozenset({kind for kinds in KINDS.values() for kind in kinds} - {STILL, NEUTRAL})
+"""What an author may ask for always besides behaviours and lexemes: a family of gestures, or a kind of movement of
+head, face or eyes."""
+
 AVOIDABLE = frozenset({*GESTURES, *HEADS, *FACES, *GAZES, HANDS, ANYTHING})

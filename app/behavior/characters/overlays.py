@@ -18,11 +18,11 @@ from typing import Annotated, Literal, TypeVar
 from pydantic import BeforeValidator, Field
 
 from ...errors import AuthoringError, InputError, Mistake, collected, did_you_mean, shown
-from ...model import Channel, Demand, Hand
+from ...model import CallableNames, Channel, Demand, Hand
 from ...model.figure import AVERAGE_HEIGHT_M, PLAIN, Figure, GestureManner, Hair, Legwear, Looks, Physique, Sex, Wait
 from ...yaml_files import Entry, Source
 from ..candidates.demands import banned_by, meant
-from ..candidates.vocabulary import BANNABLE
+from ..candidates.vocabulary import BANNABLE, DEMANDABLE
 from ..idle.idle_behaviors import TALKING
 from ..reading.families import Families
 from ..table.behavior_table import BehaviorChange, BehaviorEntry, BehaviorTable, changed, load_table, mistakes_of
@@ -40,7 +40,7 @@ class Character:
     `strokes_per_unit` is the most before the hands rest, `amplitude` how large its movements are (1 as in the table;
     already applied to `entries`), `stillness` how little it moves without need (0 to 1), `eye_contact` the share of
     time in which it looks at the listener while it talks, `rest_poses` the postures between which it changes, `figure`
-    its body. `always` are behaviours that it shows wherever a rule offers them, `never` what it never shows, each with
+    its body. `always` is what it shows wherever a rule offers it, `never` what it never shows, each with
     the behaviour that comes instead; `choice` is how its movements are chosen, if it says, `stands_for` the
     lexemes, by behaviour, that it shows by others.
     """
@@ -77,7 +77,7 @@ class Characters:
     """All characters by name, in alphabetical order."""
 
     by_name: Mapping[str, Character]
-    behavior_names: frozenset[str]
+    callable_names: CallableNames
 
     @classmethod
     def load(cls, lexicon: Path) -> "Characters":
@@ -90,7 +90,14 @@ class Characters:
         if table is None or mistakes:
             raise AuthoringError(tuple(mistakes))
         by_name = {character.name: character for character in characters if character}
-        return cls(MappingProxyType(by_name), frozenset(table.lines))
+        lexemes = frozenset(line.lexeme for line in table.lines.values())
+        names = CallableNames(frozenset(table.lines), demandable=DEMANDABLE | lexemes, bannable=BANNABLE | lexemes)
+        return cls(MappingProxyType(by_name), names)
+
+    @property
+    def behavior_names(self) -> frozenset[str]:
+        """The names of the table."""
+        return self.callable_names.behaviors
 
     @property
     def gesture_lexemes(self) -> frozenset[str]:
@@ -231,15 +238,12 @@ class _ValidFile:
                 yield "rest_poses", f"{name!r} is not a posture of the table{did_you_mean(name, postures)}"
 
     def _demand_mistakes(self, table: BehaviorTable) -> Iterator[tuple[str, ...]]:
-        for name in self.file.always:
-            if name not in table.lines:
-                yield "always", f"the table has no behaviour {name!r}{did_you_mean(name, table.lines)}"
-        lexemes = {line.lexeme for line in table.lines.values()}
-        for what, instead in self.file.never.items():
-            if what not in BANNABLE and what not in table.lines and what not in lexemes:
-                known = (*BANNABLE, *table.lines, *lexemes)
+        known = {*BANNABLE, *table.lines, *(line.lexeme for line in table.lines.values())}
+        for key, listed in (("always", self.file.always), ("never", self.file.never)):
+            for what in (each for each in listed if each not in known):
                 message = f"{what!r} is not a behaviour, lexeme, family or channel{did_you_mean(what, known)}"
-                yield "never", what, message
+                yield (key, what, message) if key == "never" else (key, message)
+        for what, instead in self.file.never.items():
             if instead is not None and instead not in table.lines:
                 message = f"the table has no behaviour {instead!r}{did_you_mean(instead, table.lines)}"
                 yield "never", what, message

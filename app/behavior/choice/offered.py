@@ -154,11 +154,12 @@ def _is_scheduled(candidate: _Candidate, forms: _Forms, behaviors: Iterable[Beha
 
 
 def _banned_moments(planned: Plan, player: Player) -> Iterator[_Candidate]:
-    """The planned moments for which everything that could show them is forbidden."""
+    """The planned moments for which everything that could show them is forbidden, or what was asked for always."""
     for moment in planned.moments:
         names = behaviors_of(player.families, moment)
-        if names and all(player.banned(name, moment.first, moment.last) for name in names):
-            yield _Candidate(names[0], moment.channel, moment.first, moment.last, moment=moment)
+        barred = [name for name in names if player.banned(name, moment.first, moment.last)]
+        if barred and (moment.demanded or len(barred) == len(names)):
+            yield _Candidate(barred[0], moment.channel, moment.first, moment.last, moment=moment)
 
 
 def _told(candidate: _Candidate, shown: _Shown, near: float) -> Behavior | None:

@@ -4,10 +4,10 @@
 depends on their own conclusions.
 """
 
-from collections.abc import Collection, Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
 
 from ...errors import Mistake
+from ...model import CallableNames
 from ..language.tree import PredicateTree, RuleFile, RuleTree
 from .rule_checks import Declarations, Located, rule_mistakes
 from .stratification import cycles, feeding
@@ -16,11 +16,8 @@ _Declaration = tuple[RuleFile, PredicateTree]
 _Rule = tuple[RuleFile, RuleTree]
 
 
-def check(
-    files: Sequence[RuleFile], behaviors: Collection[str] | None, bannable: Collection[str] = ()
-) -> Iterator[Mistake]:
-    """All mistakes in `files`, in no particular order; `behaviors` may be called by choose-rules (None: any), what is
-    `bannable` below `never` too."""
+def check(files: Sequence[RuleFile], behaviors: CallableNames | None) -> Iterator[Mistake]:
+    """All mistakes in `files`, in no particular order; `behaviors` may be called by choose-rules (None: any)."""
     blocks = [(file, block.tree) for file in files for block in file.blocks]
     declarations = [(file, tree) for file, tree in blocks if isinstance(tree, PredicateTree)]
     rules = [(file, tree) for file, tree in blocks if isinstance(tree, RuleTree)]
@@ -28,7 +25,7 @@ def check(
         yield from _located(file, _parameter_mistakes(predicate))
     yield from _said_twice("predicate", declarations)
     yield from _said_twice("rule", rules)
-    declared = replace(_declared(files, declarations, behaviors), bannable=bannable)
+    declared = _declared(files, declarations, behaviors)
     sound = []
     for file, rule in rules:
         found = list(rule_mistakes(rule, declared))
@@ -39,7 +36,7 @@ def check(
 
 
 def _declared(
-    files: Sequence[RuleFile], declarations: Sequence[_Declaration], behaviors: Collection[str] | None
+    files: Sequence[RuleFile], declarations: Sequence[_Declaration], behaviors: CallableNames | None
 ) -> Declarations:
     predicates: dict[str, PredicateTree] = {}
     for _, predicate in declarations:

@@ -11,6 +11,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from ...errors import AuthoringError
+from ...model import CallableNames
 from ..knowledge import Beginning, Index
 from ..language.tree import Assertion, Atom, Block, ChooseClause, Constant, Pattern, PredicateTree, RuleFile, RuleTree
 from .planning import MatchPlan
@@ -100,12 +101,11 @@ class Program:
 def load_program(
     paths: Iterable[Path],
     *,
-    behaviors: Collection[str] | None = None,
-    bannable: Collection[str] = (),
+    behaviors: CallableNames | None = None,
     printed: Mapping[str, str] = MappingProxyType({}),
 ) -> Program:
-    """The program of these files; `behaviors` are the names that choose-rules may call (None: any), `bannable` what
-    else they may forbid, `printed` other names of classes of functions.
+    """The program of these files; `behaviors` are the names that choose-rules may call (None: any), `printed`
+    other names of classes of functions.
 
     Raises AuthoringError with all mistakes of all files, in the order of the files and their lines.
     """
@@ -115,7 +115,7 @@ def load_program(
     readings = [read_rules(path) for path in paths]
     files = with_annotations(with_known_classes([file for file, _ in readings], printed))
     found = [mistake for _, mistakes in readings for mistake in mistakes]
-    found += check(files, behaviors, bannable)
+    found += check(files, behaviors)
     if found:
         order = {file.path: number for number, file in enumerate(files)}
         raise AuthoringError(tuple(sorted(found, key=lambda m: (order[m.path], m.line, m.column))))

@@ -6,12 +6,14 @@ behaviours.
 """
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from ...errors import did_you_mean
+from ...model import CallableNames
 from ..language.arithmetic import BUILTINS, is_ordering
 from ..language.tree import (
+    ALWAYS,
     NEVER,
     Alternatives,
     ArithmeticOperation,
@@ -43,14 +45,12 @@ MOST_STATEMENTS = 50
 @dataclass(frozen=True, slots=True)
 class Declarations:
     """The declarations that rules can refer to. Those in `unread` exist but could not be parsed and are not checked.
-    `annotated` tells whether each predicate's last argument is an annotation. `behaviors` may be chosen, and below
-    `never` what `bannable` names too."""
+    `annotated` tells whether each predicate's last argument is an annotation. `behaviors` may be chosen."""
 
     predicates: Mapping[str, PredicateTree]
     annotated: Mapping[str, bool]
     unread: frozenset[str]
-    behaviors: Collection[str] | None
-    bannable: Collection[str] = ()
+    behaviors: CallableNames | None
 
     def facts_of(self, rule: RuleTree) -> tuple[Atom, ...]:
         """All facts that a rule joins, excludes or asserts."""
@@ -106,13 +106,24 @@ def _conclusions(rule: RuleTree) -> Iterator[Located]:
 
 
 def _behaviors(rule: RuleTree, declared: Declarations) -> Iterator[Located]:
-    if declared.behaviors is None:
+    names = declared.behaviors
+    if names is None:
         return
+    demanded = {ALWAYS: names.demandable, NEVER: names.bannable}
     for alternative in _alternatives(rule):
+        known = names.behaviors | demanded.get(alternative.weight, frozenset())
         for call in alternative.calls:
-            known = (*declared.behaviors, *(declared.bannable if alternative.weight == NEVER else ()))
             if call.name not in known:
-                yield call.place, f"unknown behaviour {call.name}{did_you_mean(call.name, known)}"
+                yield call.place, _unknown(call.name, known, names)
+
+
+def _unknown(name: str, known: frozenset[str], names: CallableNames) -> str:
+    """Why this may not be called there."""
+    if name in names.demandable:
+        return f"{name} is no behaviour of the table; lexemes and families stand below `always` and `never`"
+    if name in names.bannable:
+        return f"{name} does not say which movement; it stands below `never`"
+    return f"unknown behaviour {name}{did_you_mean(name, known)}"
 
 
 def _fact(atom: Atom, declared: Declarations) -> Iterator[Located]:

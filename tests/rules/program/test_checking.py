@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from understudy.errors import AuthoringError, Mistake
+from understudy.model import CallableNames
 from understudy.rules.program.loading import load_program
 
 DECLARATIONS = """predicate word(text, start, end)
@@ -20,12 +21,15 @@ FUNCTION = "rule r\nforeach\n fcn($c, $s, $e, $p)\n"
 END = "\nassert\n near($s, $e)"
 
 
+NAMES = CallableNames(frozenset({"small_nod", "beat"}), frozenset({"BEAT"}), frozenset({"BEAT", "hands"}))
+
+
 def mistakes(tmp_path: Path, *texts: str) -> tuple[Mistake, ...]:
     paths = [tmp_path / f"{number}.rules" for number in range(len(texts))]
     for path, text in zip(paths, texts, strict=True):
         path.write_text(text, encoding="utf-8")
     with pytest.raises(AuthoringError) as raised:
-        load_program(paths, behaviors=["small_nod", "beat"])
+        load_program(paths, behaviors=NAMES)
     return raised.value.mistakes
 
 
@@ -44,6 +48,9 @@ ONE_MISTAKE = [
     (JOIN + "assert\n near($s, @$x)", "$x has no value"),
     (JOIN + "choose\n weight 1 when @$x == 1\n beat($s)", "$x has no value"),
     (JOIN + "choose\n weight 1\n beat(@$x)", "$x has no value"),
+    (JOIN + "choose\n weight 1\n @BEAT($s, $e)", "lexemes and families stand below `always` and `never`"),
+    (JOIN + "choose\n always\n @hands($s, $e)", "hands does not say which movement; it stands below `never`"),
+    (JOIN + "choose\n always\n BEAT($s, $e)\n never\n hands($s, $e)\n @betas($s, $e)", "unknown behaviour betas"),
     (JOIN + " $a = @increase($s)" + END, "unknown function increase"),
     (JOIN + " $a = @abs($s, $e)" + END, "abs takes 1 argument, not 2"),
     (JOIN + " $a = @max($s)" + END, "max takes 2 or more arguments, not 1"),
@@ -157,7 +164,7 @@ def test_what_a_rule_says_of_itself(tmp_path: Path) -> None:
         "  beat($s)\n  beat($e)\n weight 2\n  small_nod($s)\n"
     )
     path.write_text(DECLARATIONS + rules, encoding="utf-8")
-    touching, shown = load_program([path], behaviors={"beat", "small_nod"}).rules
+    touching, shown = load_program([path], behaviors=NAMES).rules
     assert (touching.name, touching.kind, touching.line) == ("touching", "assert", 8)
     assert touching.comment == "Words that touch.\n(Ours.)"
     assert [join.arguments for join in touching.joins] == [("a|b", "_", "$m"), ("c", "$m", "$e")]
@@ -185,7 +192,7 @@ def test_no_text_brings_anything_but_mistakes(tmp_path: Path) -> None:
             mutant[place] = draw.choice(["", mutant[place] * 2, draw.choice(tokens), '"', "$", "\\", "é"])
         path.write_text("".join(mutant), encoding="utf-8")
         try:
-            load_program([path], behaviors=["beat"])
+            load_program([path], behaviors=NAMES)
         except AuthoringError as error:
             lines = ["", *path.read_text(encoding="utf-8").split("\n")]
             assert all(one.column <= len(lines[one.line]) + 1 for one in error.mistakes)  # noqa: PT017
