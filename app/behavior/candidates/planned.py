@@ -16,7 +16,7 @@ from ..reading.families import OTHER_FAMILY, POINT, POINTINGS, Families, FamilyB
 from ..reading.planning import Plan
 from ..reading.player import Player
 from ..reading.supports import Support, strongest, supports_of
-from ..reading.worths import LineWorths
+from ..reading.worths import LineWorths, above_average
 
 LATER_CHOICE = 0.4
 """The worth of each further choice in a director's note, relative to the previous one."""
@@ -141,7 +141,11 @@ def _parts(player: Player, moment: Moment, plan: Plan, name: str, support: Suppo
     worths, lexeme = _weighed(moment, plan), player.lexeme(name)
     if worths and lexeme in worths.lexemes:
         return worths.parts(moment.stroke, lexeme)
-    return (*moment.terms, *(support.parts if support else ()))
+    if support is None:
+        return moment.terms
+    counted = above_average(support)
+    parts = (*(term for term in moment.terms if term.name != counted), *support.parts)
+    return tuple(sorted(parts, key=lambda term: -abs(term.weight)))
 
 
 def behaviors_of(families: Families, moment: Moment) -> list[str]:

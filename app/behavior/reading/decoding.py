@@ -57,12 +57,17 @@ def usual_times_s(count: int) -> list[float]:
 
 
 def spans_of(
-    kinds: Sequence[str], likely: SingleArray, stretches: Sequence[tuple[int, int]], thresholds: Mapping[str, float]
+    kinds: Sequence[str],
+    likely: SingleArray,
+    stretches: Sequence[tuple[int, int]],
+    thresholds: Mapping[str, float],
+    *,
+    asked: Collection[tuple[int, str]] = (),
 ) -> Iterator[Span]:
     """The kinds (W, K) that pass their thresholds in each stretch, the clearest first, without contrary pairs.
 
     Two in one stretch follow each other in the order of their likeliest words, except that a mouth and brows go
-    together.
+    together. They share it by halves, unless a rule `asked` for one on a word of the other half.
     """
     for first, last in stretches:
         part = likely[first : last + 1]
@@ -73,7 +78,7 @@ def spans_of(
             passes = level[place] >= thresholds[kinds[place]]
             if passes and len(taken) < MOST_KINDS and not any(_contrary(kinds[place], kinds[each]) for each in taken):
                 taken.append(place)
-        yield from _one_after_another([(kinds[each], part[:, each]) for each in taken], first, last)
+        yield from _one_after_another([(kinds[each], part[:, each]) for each in taken], first, last, asked)
 
 
 def held(spans: Iterable[Span], ending: Collection[int]) -> Iterator[Span]:
@@ -137,16 +142,30 @@ def _contrary(one: str, other: str) -> bool:
     return frozenset((one, other)) in _CONTRARY
 
 
-def _one_after_another(taken: Sequence[tuple[str, SingleArray]], first: int, last: int) -> Iterator[Span]:
+def _one_after_another(
+    taken: Sequence[tuple[str, SingleArray]], first: int, last: int, asked: Collection[tuple[int, str]]
+) -> Iterator[Span]:
     together = sum(kind in MOUTH for kind, _ in taken) == 1
     if len(taken) == MOST_KINDS and together:
         parts = [(first, last)] * MOST_KINDS
     elif len(taken) == MOST_KINDS and last > first:
         taken = sorted(taken, key=lambda each: int(each[1].argmax()))
-        middle = first + (last - first + 1) // 2
+        middle = _middle(taken, first, last, asked)
         parts = [(first, middle - 1), (middle, last)]
     else:
         parts = [(first, last)] * min(len(taken), 1)
     for (kind, likely), (begin, end) in zip(taken, parts, strict=False):
         stroke = begin + int(likely[begin - first : end - first + 1].argmax())
         yield Span(kind, begin, end, float(likely.max()), stroke)
+
+
+def _middle(taken: Sequence[tuple[str, SingleArray]], first: int, last: int, asked: Collection[tuple[int, str]]) -> int:
+    """The word on which the second of two kinds begins: half way, or where the likeliest word of each that a rule asked
+    for there is its own."""
+    middle = first + (last - first + 1) // 2
+    before, after = (first + int(likely.argmax()) for _kind, likely in taken)
+    if (after, taken[1][0]) in asked:
+        middle = min(middle, after)
+    if (before, taken[0][0]) in asked:
+        middle = max(middle, before + 1)
+    return min(max(middle, first + 1), last)

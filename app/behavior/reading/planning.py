@@ -359,7 +359,7 @@ def _phrase_about(utterance: Utterance, stroke: int, after: int, before: int) ->
 
 def _spans(worths: KindWorths, texts: Sequence[str]) -> Iterator[Moment]:
     """Head movements or faces; the stroke of each falls on its likeliest word."""
-    spans = spans_of(worths.kinds, worths.likely, stretches_of(texts), worths.thresholds)
+    spans = spans_of(worths.kinds, worths.likely, stretches_of(texts), worths.thresholds, asked=worths.supports)
     for span in held(spans, sentence_ends(texts)):
         yield Moment(
             id=f"moment.{worths.channel}.{span.kind}.{span.first}",

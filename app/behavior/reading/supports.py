@@ -15,6 +15,9 @@ from ...model import BehaviorCandidates, Function, Term
 OFFERED = 0.0
 PRIORITY_SCALE, USUAL_PRIORITY = 0.1, 3.0
 WEIGHT_SCALE, USUAL_WEIGHT = 0.5, 1.0
+GREAT_WEIGHT, GREAT_SCALE = 20.0, 3.0
+"""From the heaviest of our own rules on a weight counts by another scale. Nothing could fit it; it is set so that a
+weight of 100 is seen on most words, whatever the reading says, and 20 hardly (docs/choice.md)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +52,8 @@ class Support:
 
     @property
     def _of_weight(self) -> float:
-        return WEIGHT_SCALE * log(self.weight / USUAL_WEIGHT)
+        usual, great = min(self.weight, GREAT_WEIGHT), max(self.weight, GREAT_WEIGHT)
+        return WEIGHT_SCALE * log(usual / USUAL_WEIGHT) + GREAT_SCALE * log(great / GREAT_WEIGHT)
 
 
 def supports_of(offers: Iterable[BehaviorCandidates]) -> Iterator[Support]:

@@ -244,7 +244,7 @@ class KindWorths:
             Term("chance", round(float(self.chance[0, place]), 2)),
         ]
         if support is not None:
-            parts.append(Term(f"rule {support.rule}, above average", round(surplus(support), 2)))
+            parts.append(Term(above_average(support), round(surplus(support), 2)))
         heavy = (part for part in parts[1:] if abs(part.weight) >= FAINT)
         return tuple(sorted((parts[0], *heavy), key=lambda part: (-abs(part.weight), part.name)))
 
@@ -279,6 +279,11 @@ def kind_supports(
             if held is None or support.log_odds > held.log_odds:
                 best[word, by_name[support.name]] = support
     return best
+
+
+def above_average(support: Support) -> str:
+    """The name of the part that an offer has in the worth of a kind."""
+    return f"rule {support.rule}, above average"
 
 
 def surplus(support: Support) -> float:

@@ -19,6 +19,7 @@ from understudy.model import (
     Moment,
     Movement,
     Parse,
+    Term,
     Token,
     Utterance,
     Word,
@@ -127,6 +128,14 @@ def test_what_a_rule_offers_for_these_words_goes_before_its_equals_and_names_rul
     best = max(found.alternatives, key=lambda each: each.weight).movements[0]
     assert (best.name, best.rule, best.function, best.moment) == ("wipe", "show_negation", "f1", asked.id)
     assert [part.name for part in best.decided_by] == ["priority 5 of negation"]
+
+
+def test_a_rule_that_the_plan_of_the_head_has_counted_is_named_once_and_the_largest_part_first() -> None:
+    counted = (Term("rule show_negation, above average", 1.1), Term("reading in context: nod", -0.1))
+    nodded = Moment("moment.head.nod.0", Channel.HEAD, 0, 2, 1, ("nod",), 0.7, (0.7,), counted)
+    (found,) = candidates_of(PLAYER, utterance("yes of course"), Plan((nodded,)), [offer("nod")])
+    (movement,) = found.alternatives[0].movements
+    assert [part.name for part in movement.decided_by] == ["priority 5 of negation", "reading in context: nod"]
 
 
 def test_a_function_is_named_only_for_what_its_rule_offers() -> None:

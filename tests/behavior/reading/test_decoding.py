@@ -36,6 +36,23 @@ def test_two_head_movements_come_one_after_the_other() -> None:
     assert [(each.kind, each.first, each.last) for each in made] == [("tilt", 0, 1), ("nod", 2, 3)]
 
 
+@pytest.mark.parametrize(
+    ("asked", "nod", "tilt"),
+    [
+        ({}, (0, 1), (2, 3)),
+        ({(2, "nod")}, (0, 2), (3, 3)),
+        ({(3, "tilt")}, (0, 1), (2, 3)),
+        ({(0, "nod")}, (0, 1), (2, 3)),
+    ],
+)
+def test_a_movement_that_a_rule_asked_for_has_its_word(
+    asked: set[tuple[int, str]], nod: tuple[int, int], tilt: tuple[int, int]
+) -> None:
+    likely = np.array([(0.5, 0.4), (0.4, 0.5), (0.8, 0.5), (0.4, 0.9)], np.float32)
+    one, other = spans_of(("nod", "tilt"), likely, [(0, 3)], THRESHOLDS, asked=asked)
+    assert ((one.kind, one.first, one.last), (other.kind, other.first, other.last)) == (("nod", *nod), ("tilt", *tilt))
+
+
 def test_a_mouth_and_brows_go_together() -> None:
     made = spans(("smile", "brows_up"), (0.9, 0.8), (0.9, 0.8))
     assert {(each.kind, each.first, each.last) for each in made} == {("smile", 0, 1), ("brows_up", 0, 1)}

@@ -13,7 +13,7 @@ from understudy.behavior.reading.decoding import usual_times_s
 from understudy.behavior.reading.planning import Plan, Understood, plan
 from understudy.behavior.reading.player import Player
 from understudy.behavior.reading.strokes import STROKES_APART_S
-from understudy.behavior.reading.supports import WEIGHT_SCALE
+from understudy.behavior.reading.supports import GREAT_SCALE, GREAT_WEIGHT, WEIGHT_SCALE
 from understudy.behavior.reading.worths import (
     BESIDE,
     JUST_BEFORE,
@@ -26,6 +26,7 @@ from understudy.behavior.reading.worths import (
 from understudy.model import (
     DEFAULT_CHARACTER,
     Alternative,
+    Analysis,
     BehaviorCandidates,
     Channel,
     Function,
@@ -153,7 +154,42 @@ def test_a_mapping_rules_weight_moves_its_gesture(understudy: Understudy) -> Non
         assert worths is not None
         return worths.of(0, entry.lexeme) or 0.0
 
-    assert log_odds(100.0) - log_odds(1.0) == pytest.approx(WEIGHT_SCALE * math.log(100), abs=1e-3)
+    assert log_odds(10.0) - log_odds(1.0) == pytest.approx(WEIGHT_SCALE * math.log(10), abs=1e-3)
+    of_great_weight = GREAT_SCALE * math.log(100 / GREAT_WEIGHT)
+    assert log_odds(100.0) - log_odds(GREAT_WEIGHT) == pytest.approx(of_great_weight, abs=1e-3)
+
+
+@pytest.mark.parametrize(("name", "least"), [("gesture_hold_idea", 4), ("gesture_able", 4), ("gesture_force", 2)])
+def test_a_rule_is_seen_on_more_lines_the_more_it_weighs_and_on_most_with_100(
+    understudy: Understudy, name: str, least: int
+) -> None:
+    """A fist, which hardly suits these words, on fewer."""
+    lines = (
+        "Nobody believed the gizmo would work.",
+        "Then we bought another gizmo, and nothing changed.",
+        "They told us about the gizmo last summer.",
+        "He said the gizmo was broken before he came.",
+        "She handed me a gizmo and left without a word.",
+    )
+    analyses = [find_functions(understudy.language, line) for line in lines]
+
+    def seen(weight: float) -> int:
+        return sum(_is_shown(understudy, analysis, name, "gizmo", weight) for analysis in analyses)
+
+    counts = [seen(weight) for weight in (0.3, 1, 3, 8, 20, 30, 50, 100, 300)]
+    assert counts == sorted(counts)
+    assert counts[-2] >= least
+
+
+def _is_shown(understudy: Understudy, analysis: Analysis, name: str, text: str, weight: float) -> bool:
+    """Whether a stroke falls on the word because of a rule of this weight that offers the behaviour there."""
+    word = next(each.index for each in analysis.utterance.words if each.text.startswith(text))
+    function = Function("f1", "topic", "plain", word, word, 3.0, "own")
+    offer = BehaviorCandidates(function, (Alternative((Movement(name, word, word, 3.0, "own", "f1"),), weight, 1.0),))
+    line = Understood(analysis.utterance, analysis.functions, (), (offer,))
+    moments = plan(understudy.behavior.planner, line, player(understudy)).moments
+    strokes = [each for each in moments if each.channel is Channel.GESTURE and each.stroke == word]
+    return any(term.name.startswith("rule own") for each in strokes for term in each.terms)
 
 
 WHOLE = np.ones(1, np.float32)
@@ -231,8 +267,9 @@ def test_a_rule_of_more_than_the_usual_weight_moves_the_head(understudy: Underst
         line = Understood(analysis.utterance, analysis.functions, (), (offer,))
         return plan(understudy.behavior.planner, line, player(understudy)).kinds[Channel.HEAD]
 
-    usual, great = heads(3.0), heads(1000.0)
-    surplus = WEIGHT_SCALE * math.log(1000) - USUAL_SUPPORT
+    usual, great = heads(3.0), heads(40.0)
+    of_weight = WEIGHT_SCALE * math.log(GREAT_WEIGHT) + GREAT_SCALE * math.log(40 / GREAT_WEIGHT)
+    surplus = of_weight - USUAL_SUPPORT
     assert great.margin("nod", 4, 7) - usual.margin("nod", 4, 7) == pytest.approx(surplus, abs=0.4)
     assert great.margin("tilt", 4, 7) == usual.margin("tilt", 4, 7)
     assert "rule own, above average" in {term.name for term in great.parts("nod", 5)}
