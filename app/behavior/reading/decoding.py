@@ -6,6 +6,7 @@ is decided in `strokes.py`.
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain, pairwise
 
 import numpy as np
 
@@ -22,6 +23,13 @@ DONE_ONCE = frozenset(("nod", "shake", "toss"))
 
 MOST_HELD = 16
 """The most words over which one is held: some five seconds."""
+
+ATTITUDES = frozenset(("smile", "frown", "sad", "disgust"))
+"""Faces that tell how somebody feels: they outlast what they are shown for."""
+
+LASTING = 0.3
+"""An attitude lasts over the stretches beside its own while it is this likely there, as a share of its threshold.
+Chosen on held-out lines (docs/measurements/choice.md)."""
 
 MOUTH = frozenset(("smile", "sad", "lips_pressed", "disgust"))
 """The kinds of face made with the mouth; the others are made with brows and lids."""
@@ -67,24 +75,45 @@ def spans_of(
     """The kinds (W, K) that pass their thresholds in each stretch, the clearest first, without contrary pairs.
 
     Two in one stretch follow each other in the order of their likeliest words, except that a mouth and brows go
-    together. They share it by halves, unless a rule `asked` for one on a word of the other half.
+    together. They share it by halves, unless a rule `asked` for one on a word of the other half. Attitudes last over
+    the stretches beside their own.
     """
-    for first, last in stretches:
-        part = likely[first : last + 1]
-        level = stretch_level(part).tolist()
-        clear = sorted(range(len(kinds)), key=lambda place: -level[place] / thresholds[kinds[place]])
-        taken: list[int] = []
-        for place in clear:
-            passes = level[place] >= thresholds[kinds[place]]
-            if passes and len(taken) < MOST_KINDS and not any(_contrary(kinds[place], kinds[each]) for each in taken):
-                taken.append(place)
-        yield from _one_after_another([(kinds[each], part[:, each]) for each in taken], first, last, asked)
+    least = np.array([thresholds[kind] for kind in kinds], np.float32)
+    parts = [likely[first : last + 1] for first, last in stretches]
+    levels = [stretch_level(part) / least for part in parts]
+    taken = _lasting([_passing(kinds, level) for level in levels], kinds, levels)
+    for (first, last), part, places in zip(stretches, parts, taken, strict=True):
+        yield from _one_after_another([(kinds[each], part[:, each]) for each in places], first, last, asked)
+
+
+def _passing(kinds: Sequence[str], level: SingleArray) -> list[int]:
+    """The places of the kinds that a stretch has, given their probabilities (K,) as multiples of their thresholds."""
+    taken: list[int] = []
+    for place in np.flatnonzero(level >= 1)[np.argsort(-level[level >= 1], kind="stable")].tolist():
+        if len(taken) < MOST_KINDS and not any(_contrary(kinds[place], kinds[each]) for each in taken):
+            taken.append(place)
+    return taken
+
+
+def _lasting(
+    passing: Iterable[list[int]], kinds: Sequence[str], levels: Sequence[SingleArray]
+) -> Sequence[Sequence[int]]:
+    """The kinds of each stretch, with the attitudes that last from its neighbours and leave those it has."""
+    taken = list(passing)
+    onwards = range(len(taken))
+    for here, beside in chain(pairwise(onwards), pairwise(reversed(onwards))):
+        for place in taken[here]:
+            lasts = kinds[place] in ATTITUDES and levels[beside][place] >= LASTING
+            others = taken[beside]
+            if lasts and len(others) < MOST_KINDS and all(_together(kinds[place], kinds[each]) for each in others):
+                taken[beside] = [*others, place]
+    return taken
 
 
 def held(spans: Iterable[Span], ending: Collection[int]) -> Iterator[Span]:
     """The spans in order, those joined that follow each other with the same kind of movement or face within a sentence:
-    a head that is tilted over one phrase of a question stays tilted over the next. `ending` are the words that end
-    sentences; the stroke of a joined span is that of its first part."""
+    a head that is tilted over one phrase of a question stays tilted over the next. Attitudes are joined over the ends
+    of sentences, which are the words `ending`; the stroke of a joined span is that of its first part."""
     going_on: dict[str, Span] = {}
     for span in sorted(spans, key=lambda each: (each.first, each.last, each.kind)):
         before = going_on.get(span.kind)
@@ -100,7 +129,7 @@ def held(spans: Iterable[Span], ending: Collection[int]) -> Iterator[Span]:
 
 def _goes_on(before: Span, span: Span, ending: Collection[int]) -> bool:
     """Whether a span is the continuation of the one before it."""
-    follows = span.first == before.last + 1 and before.last not in ending
+    follows = span.first == before.last + 1 and (before.last not in ending or span.kind in ATTITUDES)
     return follows and span.kind not in DONE_ONCE and span.last - before.first < MOST_HELD
 
 
@@ -140,6 +169,11 @@ def _mark(text: str) -> str:
 
 def _contrary(one: str, other: str) -> bool:
     return frozenset((one, other)) in _CONTRARY
+
+
+def _together(one: str, other: str) -> bool:
+    """Whether two kinds of face can be shown at the same time: one with the mouth, one with brows and lids."""
+    return (one in MOUTH) != (other in MOUTH) and not _contrary(one, other)
 
 
 def _one_after_another(

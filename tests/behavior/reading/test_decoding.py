@@ -19,7 +19,7 @@ def test_stretches_lie_between_punctuation_neither_short_nor_long(text: str, str
     assert stretches_of(text.split()) == stretches
 
 
-THRESHOLDS = {"nod": 0.3, "shake": 0.3, "tilt": 0.3, "smile": 0.3, "brows_up": 0.3}
+THRESHOLDS = {"nod": 0.3, "shake": 0.3, "tilt": 0.3, "smile": 0.3, "sad": 0.3, "brows_up": 0.3}
 
 
 def spans(kinds: tuple[str, ...], *rows: tuple[float, ...]) -> list[Span]:
@@ -58,12 +58,37 @@ def test_a_mouth_and_brows_go_together() -> None:
     assert {(each.kind, each.first, each.last) for each in made} == {("smile", 0, 1), ("brows_up", 0, 1)}
 
 
+def spans_of_two(kinds: tuple[str, ...], *levels: tuple[float, ...]) -> set[tuple[str, int, int]]:
+    """What is made in two stretches of two words, as likely on both."""
+    likely = np.repeat(np.array(levels, np.float32), 2, axis=0)
+    return {(each.kind, each.first, each.last) for each in spans_of(kinds, likely, [(0, 1), (2, 3)], THRESHOLDS)}
+
+
+@pytest.mark.parametrize("levels", [((0.9,), (0.15,)), ((0.15,), (0.9,))])
+def test_an_attitude_lasts_where_it_is_still_likely_and_other_faces_do_not(
+    levels: tuple[tuple[float, ...], ...],
+) -> None:
+    assert spans_of_two(("smile",), *levels) == {("smile", 0, 1), ("smile", 2, 3)}
+    assert len(spans_of_two(("brows_up",), *levels)) == 1
+
+
+def test_an_attitude_ends_where_it_is_not_likely_or_another_face_is_clear() -> None:
+    assert spans_of_two(("smile",), (0.9,), (0.05,)) == {("smile", 0, 1)}
+    assert spans_of_two(("smile", "sad"), (0.9, 0.0), (0.2, 0.9)) == {("smile", 0, 1), ("sad", 2, 3)}
+    assert ("smile", 2, 3) in spans_of_two(("smile", "brows_up"), (0.9, 0.0), (0.2, 0.9))
+
+
 def test_what_is_held_goes_on_over_the_phrases_of_a_sentence_and_what_is_done_is_done_again() -> None:
     tilts = [Span("tilt", first, first + 2, 0.4, first + 1) for first in (0, 3, 6)]
     nods = [Span("nod", first, first + 2, 0.4, first) for first in (0, 3)]
     going_on = [each for each in held([*tilts, *nods], {5}) if each.kind == "tilt"]
     assert going_on == [replace(tilts[0], last=5), tilts[2]]
     assert [each for each in held([*tilts, *nods], {5}) if each.kind == "nod"] == nods
+
+
+def test_an_attitude_is_held_over_the_end_of_a_sentence() -> None:
+    smiles = [Span("smile", first, first + 2, 0.4, first) for first in (0, 3)]
+    assert list(held(smiles, {2})) == [replace(smiles[0], last=5)]
 
 
 def test_nothing_is_held_for_longer_than_is_natural() -> None:
