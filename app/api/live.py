@@ -69,6 +69,9 @@ class OutgoingQueue:
         del self._waiting[oldest]
 
 
+BEHIND_S = 60.0
+"""How long a client need not send while what it sent ahead of the clock waits: the longest silence of a message."""
+
 KEYS_EVERY_S = 1.0
 """How often it is looked whether a stream's key is still in use."""
 
@@ -124,16 +127,19 @@ async def _converse(socket: WebSocket, service: Service, worker: Worker) -> None
 
 async def _listen(socket: WebSocket, worker: Worker, settings: Settings) -> None:
     """Passes the client's messages to the process. Raises WebSocketDisconnect, SlowClientError `live_idle`, but not
-    while messages wait for the process."""
+    before the process has read what came, or `BEHIND_S` have passed."""
+    waited_s = 0.0
     while True:
         try:
             async with asyncio.timeout(settings.live_idle_s):
                 message = await socket.receive()
         except TimeoutError:
-            if _is_behind(worker):
+            waited_s += settings.live_idle_s
+            if waited_s <= BEHIND_S and _is_behind(worker):
                 continue
-            told = f"nothing was sent for {settings.live_idle_s:g} s; send silence while a microphone is off"
+            told = f"nothing was sent for {waited_s:g} s; send silence while a microphone is off"
             raise SlowClientError("live_idle", told) from None
+        waited_s = 0.0
         if message["type"] == "websocket.disconnect":
             raise WebSocketDisconnect(message.get("code", ENDED))
         text = message.get("text")
