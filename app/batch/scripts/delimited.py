@@ -15,7 +15,15 @@ from pathlib import Path
 from ...errors import UndecodableError, why_not_json
 from ..model import RowProblem, Script
 from .columns import ColumnNames, find_columns
-from .sheets import LONGEST_CELL, ROWS_BEFORE_HEADINGS, heading_place, read_lines, read_sheet, within_limits
+from .sheets import (
+    LONGEST_CELL,
+    MOST_COLUMNS,
+    ROWS_BEFORE_HEADINGS,
+    heading_place,
+    read_lines,
+    read_sheet,
+    within_limits,
+)
 from .text_files import decode_text
 
 SEPARATORS = (",", ";", "\t", "|")
@@ -36,7 +44,7 @@ def separator_of(text: str, names: ColumnNames, named: Mapping[str, str]) -> str
 
     def headings(separator: str) -> tuple[int, int]:
         try:
-            rows = list(csv.reader(first, delimiter=separator))
+            rows = [row[:MOST_COLUMNS] for row in csv.reader(first, delimiter=separator)]
         except csv.Error:
             return 0, 0
         cells = rows[heading_place(rows, names, named)] if rows else []

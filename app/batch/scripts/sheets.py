@@ -157,11 +157,16 @@ def within_limits(rows: Iterable[list[str]], path: Path) -> Iterator[list[str]]:
             (cells, MOST_CELLS, "cells"),
             (longest, LONGEST_CELL, "letters in a cell"),
         )
-        for count, most, what in limits:
-            if count > most:
-                message = f"{path}: more than {most:,} {what} by row {number}; divide it, or delete other rows"
-                raise TooLargeError("sheet_too_large", message, field="script")
+        require_within(limits, path, number)
         yield row
+
+
+def require_within(limits: Iterable[tuple[int, int, str]], path: Path, row: int) -> None:
+    """Raises TooLargeError `sheet_too_large` for the first count that is above the most there may be of something."""
+    for count, most, what in limits:
+        if count > most:
+            message = f"{path}: more than {most:,} {what} by row {row}; divide it, or delete other rows"
+            raise TooLargeError("sheet_too_large", message, field="script")
 
 
 def read_sheet(

@@ -16,10 +16,24 @@ from openpyxl.utils.exceptions import InvalidFileException
 from ...errors import InputError, TooLargeError, UndecodableError, did_you_mean
 from ..model import Script, ScriptLine
 from .columns import ColumnNames, folded
-from .sheets import ROWS_BEFORE_HEADINGS, heading_place, read_sheet, within_limits, without_doubles
+from .sheets import (
+    ROWS_BEFORE_HEADINGS,
+    heading_place,
+    read_sheet,
+    require_within,
+    within_limits,
+    without_doubles,
+)
 
 LARGEST_UNPACKED_BYTES = 96 << 20
 """The parts of a workbook together; 50,000 lines with 15 columns take about half."""
+
+MOST_SHEETS = 200
+
+MOST_READ_ROWS, MOST_READ_CELLS = 1 << 20, 4_000_000
+"""Of a worksheet, with empty ones: as many rows as Excel has, and the cells of half a minute's reading."""
+
+_CONTENTS = "xl/workbook.xml"
 
 _BROKEN = (
     *(BadZipFile, InvalidFileException, zlib.error, EOFError, OSError),
@@ -117,6 +131,11 @@ def _require_small(content: bytes, path: Path) -> None:
     """Raises TooLargeError `sheet_too_large` for a sheet that unpacks to more than a person could have typed."""
     with ZipFile(io.BytesIO(content)) as packed:
         unpacked = sum(part.file_size for part in packed.infolist())
+        is_small = unpacked <= LARGEST_UNPACKED_BYTES
+        sheets = packed.read(_CONTENTS).count(b"sheetId=") if is_small and _CONTENTS in packed.namelist() else 0
+    if sheets > MOST_SHEETS:
+        message = f"{path}: has {sheets:,} worksheets; at most {MOST_SHEETS} are read"
+        raise TooLargeError("sheet_too_large", f"{message}; divide it, or save one as .csv", field="script")
     if unpacked > LARGEST_UNPACKED_BYTES:
         message = f"{path}: unpacks to {unpacked >> 20} MB; at most {LARGEST_UNPACKED_BYTES >> 20} are read"
         raise TooLargeError("sheet_too_large", f"{message}; divide it, or save it as .csv", field="script")
@@ -126,11 +145,21 @@ def _rows(sheet: _Sheet, path: Path) -> list[list[str]]:
     """The rows, as wide as their content, whatever dimensions the sheet states; the first ones, which include the
     headings, as wide as the widest."""
     sheet.reset_dimensions()
-    rows = list(within_limits((_cells(row) for row in sheet.iter_rows(values_only=True)), path))
+    rows = list(within_limits(map(_cells, _counted(sheet.iter_rows(values_only=True), path)), path))
     width = max(map(len, rows), default=0)
     for cells in [row for row in rows if row][:ROWS_BEFORE_HEADINGS]:
         cells.extend([""] * (width - len(cells)))
     return rows
+
+
+def _counted(rows: Iterable[tuple[object, ...]], path: Path) -> Iterator[tuple[object, ...]]:
+    """The rows as they come, empty ones and empty cells too. Raises TooLargeError `sheet_too_large`."""
+    cells = 0
+    for number, row in enumerate(rows, start=1):
+        cells += len(row)
+        limits = ((number, MOST_READ_ROWS, "rows"), (cells, MOST_READ_CELLS, "cells, empty ones too,"))
+        require_within(limits, path, number)
+        yield row
 
 
 def _cells(row: tuple[object, ...]) -> list[str]:

@@ -24,7 +24,7 @@ from ...library.writing import (
 from ...model import Analysis, Channel, Line, Performance
 from ...model.formats import AudioFile, BmlForm, DialectName, FileOptions, MotionFormat
 from ...models import Understudy
-from .files import write_files
+from .files import unwritable, write_files
 from .formats import LineFormat, act_path, beside, needs_motion, recording_name
 from .jobs import Failure, LineJob, LineOutcome, Measures, OutputFile, OutputTarget
 
@@ -34,7 +34,7 @@ _NOT_AS_ASKED = frozenset({"dropped", "late", "cut"})
 
 def perform_job(job: LineJob, models: Understudy) -> LineOutcome:
     """The outcome of a job. Raises ServiceError for failures of the service, after which a retry may succeed, and
-    OSError when the files cannot be written."""
+    InputError `disk_full` or `file_unwritable` when the files cannot be written."""
     start_s = time.perf_counter()
     try:
         audio = job.audio.content()
@@ -46,7 +46,10 @@ def perform_job(job: LineJob, models: Understudy) -> LineOutcome:
     except InputError as error:
         return LineOutcome(job.id, time.perf_counter() - start_s, failure=Failure.of(error))
     if job.folder is not None:
-        files = write_files(job.folder, files)
+        try:
+            files = write_files(job.folder, files)
+        except OSError as error:
+            raise unwritable(error, job.folder) from None
     measures = _measures(analysis, performance, realized.get("", None))
     return LineOutcome(job.id, time.perf_counter() - start_s, files, performance.notices, measures)
 

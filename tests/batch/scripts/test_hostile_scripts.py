@@ -2,6 +2,7 @@
 
 import io
 import os
+import time
 import zipfile
 from collections.abc import Callable
 from contextlib import suppress
@@ -11,6 +12,7 @@ import pytest
 from openpyxl import Workbook
 
 from understudy.batch.matching import find_recordings
+from understudy.batch.scripts import workbooks
 from understudy.batch.scripts.reading import read_script
 from understudy.batch.scripts.sheets import LONGEST_CELL, MOST_COLUMNS, MOST_ROWS
 from understudy.errors import InputError, TooLargeError
@@ -83,6 +85,27 @@ def test_what_is_too_large_is_told_in_a_line(tmp_path: Path, make: Callable[[], 
     error = refusal(tmp_path, make())
     assert isinstance(error, TooLargeError)
     assert error.code == "sheet_too_large"
+
+
+def test_empty_rows_and_cells_and_sheets_are_counted_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A few kilobytes may have millions of them."""
+    monkeypatch.setattr(workbooks, "MOST_READ_ROWS", 50)
+    monkeypatch.setattr(workbooks, "MOST_READ_CELLS", 500)
+    for inside, told in (("<row/>" * 51, "50 rows"), (f"<row>{'<c/>' * 251}</row>" * 2, "500 cells, empty ones too")):
+        error = refusal(tmp_path, workbook(rows(HEADINGS, inside)))
+        assert (error.code, told in error.message) == ("sheet_too_large", True)
+    book = Workbook()
+    for _ in range(workbooks.MOST_SHEETS):
+        book.create_sheet()
+    told_book = io.BytesIO()
+    book.save(told_book)
+    assert "201 worksheets" in refusal(tmp_path, told_book.getvalue()).message
+
+
+def test_a_heading_of_a_million_cells_is_refused_at_once(tmp_path: Path) -> None:
+    began_s = time.process_time()
+    assert refusal(tmp_path, f"id,text{',x' * 1_000_000}\na,No.\n".encode(), "lines.csv").code == "sheet_too_large"
+    assert time.process_time() - began_s < 5
 
 
 ENTITIES = "".join(f'<!ENTITY e{n} "{f"&e{n - 1};" * 10 if n else "ha"}">' for n in range(9))
