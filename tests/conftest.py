@@ -12,6 +12,7 @@ import pytest
 
 from tests.support.chromium import CHROMIUM
 from tests.support.examples import USUALLY, examples
+from tests.support.kept_models import models_kept
 from understudy.api.workers.processes import Nursery
 from understudy.cache import _unpickled
 from understudy.models import Understudy
@@ -71,9 +72,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.fixture(scope="session", autouse=True)
 def read_once() -> Iterator[None]:
-    """Whatever loads models in a process of tests gets the same spaCy pipeline of a folder, and the same object of a
-    compiled file: reading them takes longer than all else."""
-    with pytest.MonkeyPatch.context() as patch:
+    """Whatever loads models in a process of tests gets the usual ones, else the same spaCy pipeline of a folder, and
+    the same object of a compiled file: reading them takes longer than all else."""
+    with pytest.MonkeyPatch.context() as patch, models_kept():
         patch.setattr("understudy.syntax.parser.load_pipeline", cache(load_pipeline))
         patch.setattr("understudy.cache._unpickled", lru_cache(COMPILED_FILES_KEPT)(_unpickled))
         yield

@@ -1,8 +1,10 @@
 """A batch from its script to its reports: what is performed, what is performed again, what is reported."""
 
 import csv
+import errno
 import json
 import shutil
+import sys
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -11,11 +13,14 @@ import pytest
 import soundfile
 
 import understudy
+from understudy.batch.audio import AudioSource
 from understudy.batch.manifest.entries import ManifestEntry, State
 from understudy.batch.manifest.hashes import installation_hash
 from understudy.batch.planning import BatchRequest
 from understudy.batch.whole_run import Nobody, run_batch
 from understudy.batch.work.formats import LineFormat
+from understudy.batch.work.jobs import LineJob, OutputTarget
+from understudy.batch.work.performing import perform_job
 from understudy.bml.writing.writer import write_bml
 from understudy.errors import InputError
 from understudy.model import Line
@@ -65,6 +70,7 @@ hashed_once = cache(installation_hash)
 @pytest.fixture
 def batch(tmp_path: Path, understudy: Understudy, monkeypatch: pytest.MonkeyPatch) -> Batch:
     monkeypatch.setattr("understudy.batch.whole_run.installation_hash", hashed_once)
+    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)  # reports without histograms, which take long
     return Batch(tmp_path, understudy)
 
 
@@ -165,3 +171,16 @@ def test_edits_beside_a_recording_are_made_again_when_they_change(batch: Batch) 
     assert wrong == []
     [failed] = [entry for entry in entries.values() if entry.failure and entry.failure.code == "edits_wrong"]
     assert failed.state is State.FAILED
+
+
+def test_a_disk_that_is_full_for_a_worker_is_told_as_such(
+    understudy: Understudy, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_given: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("understudy.batch.work.performing.write_files", fail)
+    audio, target = AudioSource(AUDIO / "figure8.flac"), OutputTarget(LineFormat.BML, "one.bml")
+    with pytest.raises(InputError) as raised:
+        perform_job(LineJob("one", TEXT, audio, Options(), (target,), folder=tmp_path), understudy)
+    assert raised.value.code == "disk_full"

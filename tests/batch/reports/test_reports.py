@@ -66,6 +66,12 @@ def test_the_table_is_whole_and_no_text_is_a_formula() -> None:
     assert (rows[3]["error_code"], rows[3]["duration_s"]) == ("text_empty", "")
 
 
+@pytest.fixture
+def without_matplotlib(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As where it is not installed; histograms take longer than the rest of a page."""
+    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
+
+
 def page_of(
     *entries: ManifestEntry, thumbnails: dict[str, Thumbnail] | None = None, unit: str = "row"
 ) -> html.HtmlElement:
@@ -84,6 +90,7 @@ def test_the_page_needs_nothing_else() -> None:
     assert page.find(".//script[@src]") is None
 
 
+@pytest.mark.usefixtures("without_matplotlib")
 def test_each_line_has_its_recording_and_files_relative_to_the_page() -> None:
     named = replace(FINE, audio="takes/Zoë #1.wav", start_s=1.0, end_s=2.5)
     evil = replace(FINE, id="evil", text='"><script>', audio="javascript:alert(1)")
@@ -100,6 +107,7 @@ def test_each_line_has_its_recording_and_files_relative_to_the_page() -> None:
     assert len(page.xpath("//script")) == 1
 
 
+@pytest.mark.usefixtures("without_matplotlib")
 def test_what_is_to_be_looked_at_is_said_in_plain_words_with_what_to_do() -> None:
     page = page_of(SUSPECT, FAILED)
     assert page.xpath("//tr[@class='look']//div[@class='reason']/b/text()") == ["the recording may say other words"]
@@ -122,6 +130,7 @@ def performing_code() -> list[Path]:
     return [path for folder in folders for path in (app / folder).rglob("*.py")]
 
 
+@pytest.mark.usefixtures("without_matplotlib")
 @pytest.mark.parametrize("code", ["pronunciation_guessed", "listener_unknown"])
 def test_what_needs_no_look_is_told_and_stands_last(code: str) -> None:
     mild = replace(FINE, warnings=(Notice(code, "told"),))
@@ -131,13 +140,14 @@ def test_what_needs_no_look_is_told_and_stands_last(code: str) -> None:
     assert len(page.xpath("//div[@class='reason mild']")) == 1
 
 
+@pytest.mark.usefixtures("without_matplotlib")
 @pytest.mark.parametrize(("unit", "heading"), [("row", "row"), ("line", "line"), ("cue", "cue")])
 def test_rows_are_called_as_in_the_script(unit: str, heading: str) -> None:
     assert page_of(FINE, unit=unit).xpath("//th[1]/button/text()") == [heading]
 
 
-def test_without_matplotlib_the_page_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
+@pytest.mark.usefixtures("without_matplotlib")
+def test_without_matplotlib_the_page_says_so() -> None:
     page = to_html(Heading("lines.csv"), ALL, {}, OUT).decode()
     assert "pip install" in page
     assert '<img class="histograms"' not in page

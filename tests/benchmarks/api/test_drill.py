@@ -26,8 +26,8 @@ OF_THE_MACHINE = ("/healthz", "memory", "descriptors")
 def test_the_service_holds(tmp_path: Path) -> None:
     with serving(PATIENT, log=tmp_path / "serve.log") as service:
         bars = [
-            *fuzzed(service, 100, seed=5, clients=3, keep=tmp_path),
-            *soaked(service, 20, 2, warm_up=0),
+            *fuzzed(service, 60, seed=5, clients=3, keep=tmp_path),
+            *soaked(service, 10, 2, warm_up=0),
             *killed(service, 2, seed=5),
         ]
     missed = [bar for bar in bars if not bar.met and not bar.what.startswith(OF_THE_MACHINE)]
@@ -37,7 +37,7 @@ def test_the_service_holds(tmp_path: Path) -> None:
 
 
 def test_broken_files_end_in_a_result_or_an_error_of_ours() -> None:
-    assert [str(bar) for bar in files_broken(60 * len(FILES), seed=8) if not bar.met] == []
+    assert [str(bar) for bar in files_broken(30 * len(FILES), seed=8) if not bar.met] == []
 
 
 def test_outputs_that_cannot_be_used_are_refused_with_their_codes() -> None:
