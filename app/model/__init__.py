@@ -25,7 +25,7 @@ from .functions import PLAIN, Argument, Because, Fact, Function, GivenFunction, 
 from .language import Clause, Parse, Phrase, Token, Utterance
 from .line import AlignedLine, Analysis, Avoidance, DirectedMoment, Direction, Line, SignalAnalysis, Timings
 from .performance import Notice, Performance
-from .schedule import DEFAULT_CHARACTER, Behavior, Listening, Schedule, SyncPoints, Target, Viseme
+from .schedule import DEFAULT_CHARACTER, Behavior, Limit, Listening, Schedule, SyncPoints, Target, Viseme
 from .slots import Distance, Height, Side, Size, Slots, Which
 from .voice.affect import NEUTRAL, Affect, AffectTrack, LineAffect, Manner, PhraseAffect, Tone, mean_affect
 from .voice.signal import (
@@ -78,6 +78,7 @@ __all__ = [
     "Height",
     "Interval",
     "Level",
+    "Limit",
     "Line",
     "LineAffect",
     "Listening",

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from enum import StrEnum
 
 from .body import Channel, Hand
 from .functions import Function, Term
@@ -11,6 +12,19 @@ from .voice.speech import Interval, Level, Word
 
 DEFAULT_CHARACTER = "default"
 """The character that plays where none is named."""
+
+
+class Limit(StrEnum):
+    """What excluded a movement whose place no other took: the author, a score that is too low, the character's rate of
+    gestures, too little time, stillness, a mode without such gestures, or that it would change nothing."""
+
+    NEVER = "never"
+    PRICE = "price"
+    RATE = "rate"
+    TIME = "time"
+    STILLNESS = "stillness"
+    MODE = "mode"
+    NEEDLESS = "needless"
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +78,7 @@ class Behavior:
     ends of a gesture's strokes after its main one, seconds after that; None leaves them to the realizer. The stroke of
     one that is `curved` is an arc, others' are as the library has them. `edit` is the number of the author's edit that
     made or changed it, `manner` how it is made, `slots` what its words say of size and place. `decided_by` are the
-    named parts of its worth in log-odds, the largest first; `limit` names what forbade one that was offered."""
+    named parts of its worth in log-odds, the largest first; `limit` is what excluded one that lost to no other."""
 
     id: str
     kind: Channel
@@ -90,7 +104,7 @@ class Behavior:
     edit: int | None = None
     manner: Manner | None = None
     decided_by: tuple[Term, ...] = field(default=(), compare=False)
-    limit: str | None = None
+    limit: Limit | None = None
     slots: Slots | None = None
 
 

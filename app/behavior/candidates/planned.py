@@ -144,8 +144,7 @@ def _parts(player: Player, moment: Moment, plan: Plan, name: str, support: Suppo
     if support is None:
         return moment.terms
     counted = above_average(support)
-    parts = (*(term for term in moment.terms if term.name != counted), *support.parts)
-    return tuple(sorted(parts, key=lambda term: -abs(term.weight)))
+    return (*(term for term in moment.terms if term.name != counted), *support.parts)
 
 
 def behaviors_of(families: Families, moment: Moment) -> list[str]:
@@ -207,6 +206,8 @@ def _offered(player: Player, moment: Moment, supports: Iterable[Support]) -> dic
 
 
 def _movement(player: Player, moment: Moment, name: str, support: Support | None, parts: tuple[Term, ...]) -> Movement:
+    """The movement, with the rule and function that offered it if the offer had a part in its worth."""
+    support = support if support and support.parts else None
     return Movement(
         name=name,
         first=moment.first,
@@ -216,7 +217,7 @@ def _movement(player: Player, moment: Moment, name: str, support: Support | None
         function=support.function.id if support else None,
         stroke=moment.stroke,
         moment=moment.id,
-        decided_by=parts,
+        decided_by=tuple(sorted(parts, key=lambda part: -abs(part.weight))),
     )
 
 

@@ -11,7 +11,7 @@ smaller and shorter stroke.
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from ...model import Alternative, Behavior, BehaviorCandidates, Channel, Hand, Word
+from ...model import Alternative, Behavior, BehaviorCandidates, Channel, Hand, Limit, Word
 from ..characters.overlays import Character
 from ..reading.player import Ban
 from ..timing.anchoring import PlacedBehavior, asked
@@ -144,5 +144,5 @@ def _refused_rate(gesture: Behavior, kept: TimeIndex, line: ChoiceContext, *, pl
     most = line.most_gestures if planned else line.most_asked
     if gesture.kind is Channel.GESTURE and kept.gestures >= most:
         reason = f"beyond the character's gesture rate, which gives this line {most}"
-        return replace(gesture, kept=False, reason=reason)
+        return replace(gesture, kept=False, limit=Limit.RATE, reason=reason)
     return None

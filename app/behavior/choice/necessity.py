@@ -9,7 +9,7 @@ one. What was planned for a moment of the line is always kept. Times are seconds
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from ...model import Behavior, BehaviorCandidates, Channel
+from ...model import Behavior, BehaviorCandidates, Channel, Limit
 from ...model.tables import SHIFT
 from ..timing.conflicts import Kept
 
@@ -38,7 +38,8 @@ class Needless:
 
     @property
     def dropped(self) -> Behavior:
-        return replace(self.behavior, kept=False, lost_to=self.shown_by, reason=self.reason)
+        limit = None if self.shown_by else Limit.NEEDLESS
+        return replace(self.behavior, kept=False, lost_to=self.shown_by, limit=limit, reason=self.reason)
 
 
 def needed(kept: Kept, candidates: Iterable[BehaviorCandidates]) -> tuple[Kept, tuple[Behavior, ...]]:

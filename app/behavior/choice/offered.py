@@ -13,15 +13,13 @@ from dataclasses import dataclass, replace
 from functools import partial
 from math import inf, log
 
-from ...model import Behavior, Channel, Interval, Moment, SyncPoints, Term, Word
+from ...model import Behavior, Channel, Interval, Limit, Moment, SyncPoints, Term, Word
 from ..candidates.planned import behaviors_of
 from ..reading.decoding import stretches_of
 from ..reading.planning import Plan, Understood
 from ..reading.player import Player
 from ..reading.strokes import STROKES_APART_S
 from ..reading.supports import Support, supports_of
-
-NEVER, PRICE = "never", "price"
 
 NEAR = log(4)
 """What has at least a quarter of the odds that would have been enough came near."""
@@ -177,11 +175,11 @@ def _told(candidate: _Candidate, shown: _Shown, near: float) -> Behavior | None:
         return None
     behavior = replace(_behavior(candidate, player, interval), decided_by=weighed.explained())
     if ban is not None:
-        return replace(behavior, limit=NEVER, reason=ban.why)
+        return replace(behavior, limit=Limit.NEVER, reason=ban.why)
     if winner is None:
         below = weighed.worth - weighed.enough
         why = f"scores too low there ({below:+.1f} log-odds)" if below > -inf else _UNWEIGHED
-        return replace(behavior, limit=PRICE, reason=why + _also(candidate))
+        return replace(behavior, limit=Limit.PRICE, reason=why + _also(candidate))
     beside = weighed.worth - weighed.enough
     worth = f"scores {beside:+.1f} log-odds" if beside > -inf else f"is {_UNWEIGHED}"
     why = f"{winner.lexeme} takes its place; this {worth}"

@@ -21,7 +21,7 @@ from dataclasses import replace
 from itertools import pairwise
 from types import MappingProxyType
 
-from ...model import Behavior, BehaviorCandidates, Channel, Interval, Level, Mode, Movement, Utterance, Word
+from ...model import Behavior, BehaviorCandidates, Channel, Interval, Level, Limit, Mode, Movement, Utterance, Word
 from ..characters.overlays import Character
 from ..idle.idle_behaviors import TALKING, idle_behaviors
 from ..idle.stillness import to_thousandths
@@ -101,7 +101,8 @@ def in_mode(
     gestures = [each for each in kept if each.behavior.kind is Channel.GESTURE]
     others = TimeIndex(each for each in kept if each.behavior.kind is not Channel.GESTURE)
     lost = tuple(behavior for behavior in lost if behavior.kind is not Channel.GESTURE)
-    replaced = (replace(each.behavior, kept=False, reason=f"not used in mode {mode}") for each in gestures)
+    reason = f"not used in mode {mode}"
+    replaced = (replace(each.behavior, kept=False, limit=Limit.MODE, reason=reason) for each in gestures)
     if mode is Mode.PROSODY:
         return tuple(_beaten_in(others, line)), (*lost, *replaced)
     text = " ".join(word.text for word in line.timed)

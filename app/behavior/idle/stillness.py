@@ -8,7 +8,7 @@ motion by the same factor, and takes a gesture's amount as already reduced by st
 from collections.abc import Iterable
 from dataclasses import replace
 
-from ...model import Behavior, Channel, Listening, Performance
+from ...model import Behavior, Channel, Limit, Listening, Performance
 
 BLINK, BREATH = "BLINK", "OPEN_LIPS"
 
@@ -57,7 +57,8 @@ def _importance(behavior: Behavior) -> tuple[bool, bool, float, int, float, str]
 
 
 def _left_out(behavior: Behavior, stillness: float) -> Behavior:
-    return replace(behavior, kept=False, reason=f"left out by stillness, which drops {stillness:.0%} of movements")
+    reason = f"left out by stillness, which drops {stillness:.0%} of movements"
+    return replace(behavior, kept=False, limit=Limit.STILLNESS, reason=reason)
 
 
 def _smaller(behavior: Behavior, stillness: float) -> Behavior:

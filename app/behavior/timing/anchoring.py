@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from math import floor
 
-from ...model import Behavior, Channel, Hand, Interval, Movement, Phone, SyncPoints, Word
+from ...model import Behavior, Channel, Hand, Interval, Limit, Movement, Phone, SyncPoints, Word
 from ...model.limits import LATEST_S, Forms
 from ..idle.idle_behaviors import IdleBehavior
 from ..table.behavior_table import STROKED, Anchor, BehaviorEntry, BriefGesture, PhaseDuration
@@ -69,7 +69,9 @@ def asked(
         basis, sync, hurry = _in_time(_timing_basis(entry, at_s, until_s), entry.channel)
     late_s = basis.at_s - at_s if entry.channel is Channel.GESTURE else 0.0
     reason = _late(late_s) if late_s > LATEST_S else hurry if words else "none of its words is spoken"
-    behavior = _behavior(entry, name, sync, movement, reason=reason, kept=bool(words) and late_s <= LATEST_S)
+    in_time = bool(words) and late_s <= LATEST_S
+    behavior = _behavior(entry, name, sync, movement, reason=reason, kept=in_time)
+    behavior = behavior if in_time else replace(behavior, limit=Limit.TIME)
     return PlacedBehavior(behavior, basis, entry.forms, brief)
 
 

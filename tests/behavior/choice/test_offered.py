@@ -8,7 +8,7 @@ import pytest
 
 from tests.behavior.candidates.test_demands import spoken
 from understudy.behavior.choice.offered import is_offered
-from understudy.model import Demand, Direction, Line
+from understudy.model import Demand, Direction, Line, Mode
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform_analysis, perform_line
@@ -28,6 +28,48 @@ def test_each_offer_that_is_not_shown_says_why(understudy: Understudy) -> None:
         assert each.reason
         if each.lost_to is not None:
             assert kept[each.lost_to].kind is each.kind
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        Options(),
+        Options(choice="priority"),
+        Options(character="reserved", seed=4),
+        Options(stillness=0.6),
+        Options(mode=Mode.PROSODY),
+        Options(mode=Mode.RANDOM, choice="priority"),
+    ],
+)
+def test_whatever_is_not_kept_lost_to_something_or_has_a_limit(understudy: Understudy, options: Options) -> None:
+    lines = (
+        "Thank you so much, and please, sit down.",
+        "I don't know, maybe we could meet over there, you and I.",
+        LINE,
+    )
+    dropped = [
+        each
+        for line in lines
+        for each in perform_analysis(understudy, spoken(understudy, line), options).behaviors
+        if not each.kept
+    ]
+    assert dropped
+    assert [each for each in dropped if not each.reason or (each.lost_to is None and each.limit is None)] == []
+
+
+@pytest.mark.parametrize("choice", ["terms", "priority"])
+def test_the_parts_of_a_worth_are_in_order_and_a_function_that_is_named_is_among_them(
+    understudy: Understudy, choice: Literal["terms", "priority"]
+) -> None:
+    for line in (LINE, "No, no, no, that is three times bigger than what I asked for!"):
+        performance = perform_analysis(understudy, spoken(understudy, line), Options(choice=choice))
+        for each in performance.behaviors:
+            weights = [abs(part.weight) for part in each.decided_by]
+            assert weights == sorted(weights, reverse=True)
+            if each.kept and each.function and each.decided_by:
+                (shown,) = [function for function in performance.functions if function.id == each.function]
+                named = " ".join(part.name for part in each.decided_by)
+                assert f"rule {each.rule}" in named or shown.class_name in named
 
 
 def test_what_is_forbidden_names_who_forbade_it(understudy: Understudy) -> None:
