@@ -116,10 +116,8 @@ def test_in_a_rheme_the_stroke_is_repeated_on_further_emphases_each_time_smaller
 
 
 def test_a_gesture_that_does_not_exist_is_told(understudy: Understudy) -> None:
-    with pytest.raises(
-        InputError,
-        match=r"the tag <gesture> in line 1, column 8: there is no behaviour, lexeme or family 'gesture_empti'; did you mean 'gesture_empty'",
-    ):
+    wrong = "the tag <gesture> in line 1, column 8: there is no behaviour, lexeme or family 'gesture_empti'"
+    with pytest.raises(InputError, match=rf"{wrong}; did you mean 'gesture_empty'"):
         package.say(understudy, '<speak><gesture name="gesture_empti">so</gesture></speak>')
 
 
