@@ -81,8 +81,11 @@ def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> Collisions:
     depth_m = depths_where_near_m(skeleton, body)
     moved = tuple(_intrusions(depth_m, body.times_s))
     unsolved: tuple[_Clearance, ...] = ()
-    for _attempt in range(_ATTEMPTS if moved else 0):
-        unsolved = _left_inside(skeleton, body, depth_m.max(axis=1) > 0)
+    for _attempt in range(_ATTEMPTS):
+        inside = depth_m.max(axis=1) > 0
+        if not inside.any():
+            break
+        unsolved = _left_inside(skeleton, body, inside)
         if not unsolved:
             break
         depth_m = depths_where_near_m(skeleton, body)

@@ -100,12 +100,18 @@ def test_a_joint_past_its_limit_is_brought_back() -> None:
     assert violations(BODY, cleared.rotations).max() == 0
 
 
-def test_what_cannot_be_cleared_without_a_jump_is_told() -> None:
-    """A hand that is through the belly for a sixth of a second cannot be before it in time."""
+@pytest.mark.parametrize(
+    "place",
+    [
+        SectorPlace(Sideways.OPP_P, HeightSector.LOWER_P, Depth.NEAR, (0.0, 0.0, -0.35)),
+        SectorPlace(Sideways.CC, HeightSector.CC, Depth.NEAR, (0.0, 0.0, -0.28)),
+    ],
+    ids=["belly", "chest, too quickly to be seen again"],
+)
+def test_what_cannot_be_cleared_without_a_jump_is_told(place: SectorPlace) -> None:
+    """A hand that is through the body for a sixth of a second cannot be before it in time."""
     body = moving((Hand.LEFT, BEFORE))
-    behind = pose_arm(
-        BODY, Hand.LEFT, ArmKey(SectorPlace(Sideways.OPP_P, HeightSector.LOWER_P, Depth.NEAR, (0.0, 0.0, -0.35)))
-    )
+    behind = pose_arm(BODY, Hand.LEFT, ArmKey(place))
     start = rest(Hand.LEFT)
     track = (TimedPose(0.0, start), TimedPose(1.0, start), TimedPose(1.12, behind.over(start)), TimedPose(1.24, start))
     through = body.rotations.copy()
