@@ -61,8 +61,11 @@ class TermNames:
         kinds = (f"{kind}.{subtype}" for kind, subtypes in classes.items() for subtype in subtypes)
         functions = {f"function({kind})" for kind in (*classes, *kinds)}
         own = {name for kind in classes for name in (f"function({kind}) here", f"given({kind})")}
-        patterns = (re.compile(re.sub(r"\\{\d\\}", ".+", re.escape(name))) for name in of_facts)
-        return cls(frozenset({*fitted, *HEARD_TERMS, *functions, *own}), tuple(patterns))
+        names = tuple(of_facts)
+        open_ended = (name for name in names if "{" in name)
+        patterns = (re.compile(re.sub(r"\\{\d\\}", ".+", re.escape(name))) for name in open_ended)
+        whole = (name for name in names if "{" not in name)
+        return cls(frozenset({*fitted, *HEARD_TERMS, *functions, *own, *whole}), tuple(patterns))
 
 
 def load_weights(
@@ -78,7 +81,8 @@ def load_weights(
             mistakes.append(source.mistake(("terms", term), f"{term!r} is not a term{did_you_mean(term, terms)}"))
         for family in by_family:
             if family != ANY and family not in families and family not in kinds:
-                told = f"{family!r} is not a family of gestures{did_you_mean(family, (*families, *kinds))}"
+                told = f"{family!r} is no family of gestures and no kind of head movement or face"
+                told += did_you_mean(family, (*families, *kinds))
                 mistakes.append(source.mistake(("terms", term, family), told))
     if mistakes:
         raise AuthoringError(tuple(mistakes))

@@ -26,7 +26,7 @@ def test_every_mistake_is_told_with_its_place(tmp_path: Path) -> None:
         load_weights(path, FAMILIES, TERMS)
     assert [(mistake.line, mistake.message) for mistake in raised.value.mistakes] == [
         (2, "'voice(stresed)' is not a term; did you mean 'voice(stressed)'?"),
-        (3, "'negatoin' is not a family of gestures; did you mean 'negation'?"),
+        (3, "'negatoin' is no family of gestures and no kind of head movement or face; did you mean 'negation'?"),
     ]
 
 
@@ -61,3 +61,10 @@ def test_heads_and_faces_are_weighed_beside_families_and_any_does_not_mean_them(
 def test_an_authors_own_classes_and_facts_are_terms(term: str, *, known: bool) -> None:
     names = TermNames.of({"clause(root) end"}, ["waved off({0})"], {"dismissal": ("plain",)})
     assert (term in names) == known
+
+
+def test_terms_of_facts_are_among_the_names_that_are_proposed() -> None:
+    names = TermNames.of((), ["voice(focus)", "mood({0})"], {})
+    assert "voice(focus)" in set(names)
+    assert "mood({0})" not in set(names)
+    assert "mood(wh)" in names
