@@ -4,6 +4,7 @@ In a checkout the data files are beside the package, in a wheel inside it. While
 its old content or the new, and a killed process leaves the old one.
 """
 
+import errno
 import os
 import shutil
 from pathlib import Path
@@ -14,6 +15,9 @@ _PACKAGE = Path(__file__).resolve().parent
 
 RULES = _PACKAGE / "rules"
 """The rule files, which are inside the package."""
+
+
+LARGEST_READ_BYTES = 32 << 20
 
 
 def resource_folder(name: str) -> Path:
@@ -27,6 +31,20 @@ def resource_folder(name: str) -> Path:
     raise ServiceError(
         "installation_incomplete", f"the folder {name!r} is missing beside {_PACKAGE}; reinstall understudy"
     )
+
+
+def require_regular(path: Path, most_bytes: int = LARGEST_READ_BYTES) -> None:
+    """Raises OSError for a pipe or a device, which might be read for ever, and for a file that is larger."""
+    if path.exists() and not path.is_file() and not path.is_dir():
+        raise OSError(errno.EINVAL, "it is not a regular file")
+    if path.stat().st_size > most_bytes:
+        raise OSError(errno.EFBIG, f"it is larger than {most_bytes >> 20} MB")
+
+
+def read_regular(path: Path) -> bytes:
+    """The content of a file that another one names. Raises OSError, also as `require_regular` does."""
+    require_regular(path)
+    return path.read_bytes()
 
 
 def read_source(path: Path) -> str | Mistake:

@@ -14,6 +14,7 @@ from types import MappingProxyType
 from pydantic import Field, RootModel
 
 from ..errors import AuthoringError, InputError, Mistake, did_you_mean
+from ..files import read_regular, require_regular
 from ..model import AffectTrack, Level, Target
 from ..model.targets import targets_of
 from ..model.voice.signal import SpeakerReference
@@ -86,7 +87,12 @@ NOBODY_CAST = Cast(MappingProxyType({}))
 
 
 def read_cast(path: Path, characters: frozenset[str]) -> Cast:
-    """The cast in a file; `characters` are ours. Raises AuthoringError with every mistake and its place."""
+    """The cast in a file; `characters` are ours. Raises AuthoringError with every mistake and its place, InputError
+    `file_unreadable`."""
+    try:
+        require_regular(path)
+    except OSError as error:
+        raise InputError("file_unreadable", f"{path}: cannot be read: {error.strerror}", field="cast") from None
     source = Source(path)
     told = source.validated(_Cast).root
     mistakes = [*_doubles(source, told)]
@@ -119,7 +125,7 @@ def _part(part: _CastEntry, folder: Path) -> CastPart:
     reference = None
     if part.reference not in {LEARN, NONE}:
         try:
-            reference = read_reference((folder / part.reference).read_bytes(), part.reference)
+            reference = read_reference(read_regular(folder / part.reference), part.reference)
         except OSError as error:
             message = f"{part.reference}: cannot be read: {error.strerror}; give learn, none, or a REF.json"
             raise InputError("file_unreadable", message, field="cast") from None
@@ -142,7 +148,7 @@ def _affect(told: str | tuple[float, float, float], folder: Path) -> AffectTrack
     if not isinstance(told, str) or not told.casefold().endswith(".csv"):
         return affect_track(told)
     try:
-        return read_affect_track((folder / told).read_bytes(), told)
+        return read_affect_track(read_regular(folder / told), told)
     except OSError as error:
         message = f"{told}: cannot be read: {error.strerror}"
         raise InputError("affect_wrong", message, field="cast") from None

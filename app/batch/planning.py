@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 
 from ..errors import InputError
+from ..files import read_regular
 from ..model.edits import NO_EDITS, Edits
 from ..model.voice.signal import SpeakerReference
 from ..models import load_characters
@@ -229,7 +230,7 @@ def edits_of_takes(takes: Iterable[Take]) -> tuple[Mapping[str, Edits], tuple[Ro
             if take.line.edits is not None:
                 found[take.id] = take.line.edits
             elif path is not None:
-                found[take.id] = read_edits(path.read_bytes())
+                found[take.id] = read_edits(read_regular(path))
         except InputError as error:
             problems.append(RowProblem(take.line.row, "", error.code, f"{path}: {error.message}", take.id))
         except OSError as error:

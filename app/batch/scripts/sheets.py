@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import TypeVar
 
 from ...errors import InputError, TooLargeError
+from ...files import read_regular
 from ...model import AffectTrack, Direction, Interval, Level, Target
 from ...model.edits import Edits
 from ...model.targets import read_targets
@@ -63,7 +64,7 @@ class Row:
             return None
         try:
             if text.casefold().endswith(".csv"):
-                return read_affect_track((self.folder / text).read_bytes(), text)
+                return read_affect_track(read_regular(self.folder / text), text)
             return read_affect(text.casefold())
         except InputError as error:
             self.wrong("affect", error.code, error.message)
@@ -109,7 +110,7 @@ class Row:
         """What a cell contains as JSON, or what the file named in it contains; None if that is wrong."""
         text = self.text(name)
         try:
-            return read(text.encode() if text.startswith("{") else (self.folder / text).read_bytes())
+            return read(text.encode() if text.startswith("{") else read_regular(self.folder / text))
         except InputError as error:
             self.wrong(name, error.code, error.message)
         except OSError as error:
@@ -158,7 +159,7 @@ def within_limits(rows: Iterable[list[str]], path: Path) -> Iterator[list[str]]:
             (longest, LONGEST_CELL, "letters in a cell"),
         )
         require_within(limits, path, number)
-        yield row
+        yield row[:MOST_COLUMNS]
 
 
 def require_within(limits: Iterable[tuple[int, int, str]], path: Path, row: int) -> None:

@@ -36,7 +36,7 @@ def read_srt(content: bytes, path: Path, _named: Mapping[str, str]) -> Script:
     file = decode_text(content, str(path))
     try:
         found = list(srt.parse(file.text))
-    except (srt.SRTParseError, ValueError) as error:
+    except (srt.SRTParseError, ValueError, OverflowError) as error:
         message = f"{path}: not an SRT file: {str(error).splitlines()[0]}"
         raise UndecodableError("subtitles_undecodable", message, field="script") from None
     cues = [Cue(cue.start.total_seconds(), cue.end.total_seconds(), cue.content) for cue in found]

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from openpyxl import Workbook
 
+from understudy.batch.casting import read_cast
 from understudy.batch.matching import find_recordings
 from understudy.batch.scripts import workbooks
 from understudy.batch.scripts.reading import read_script
@@ -163,3 +164,18 @@ def test_only_regular_files_are_scripts_and_recordings(tmp_path: Path) -> None:
     (tmp_path / "audio" / "b.wav").symlink_to("/dev/zero")
     (tmp_path / "audio" / "c.wav").write_bytes(b"")
     assert [each.stem for each in find_recordings(tmp_path / "audio", without=tmp_path / "out")] == ["c"]
+
+
+def test_only_regular_files_are_read_that_a_cell_or_a_cast_names(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.json")
+    path = tmp_path / "lines.csv"
+    path.write_text("id,text,edits,affect\na,No.,pipe.json,\nb,No.,/dev/zero,\nc,No.,,/dev/../dev/zero.csv\n")
+    assert [each.row for each in read_script(path, {}).problems] == [2, 3, 4]
+    for cast in (tmp_path / "pipe.json", Path("/dev/zero")):
+        with pytest.raises(InputError, match="not a regular file"):
+            read_cast(cast, frozenset())
+
+
+def test_a_time_beyond_all_calendars_is_no_subtitle(tmp_path: Path) -> None:
+    cue = b"1\n99999999999:00:00,000 --> 00:00:00,000\nNo.\n"
+    assert refusal(tmp_path, cue, "film.srt").code == "subtitles_undecodable"
