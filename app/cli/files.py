@@ -10,6 +10,7 @@ import argparse
 import os
 import sys
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from stat import S_ISREG
 
@@ -78,9 +79,28 @@ def write(name: str, content: bytes) -> None:
 
 
 def write_standard(content: bytes) -> None:
-    """Writes to standard output and flushes it."""
-    sys.stdout.buffer.write(content)
-    sys.stdout.buffer.flush()
+    """Writes to standard output and flushes it. Raises InputError `file_unwritable`, BrokenPipeError."""
+    with standard_output():
+        sys.stdout.buffer.write(content)
+        sys.stdout.buffer.flush()
+
+
+@contextmanager
+def standard_output() -> Iterator[None]:
+    """Raises InputError `file_unwritable` where standard output cannot be written in the block, such as to a disk that
+    is full, and BrokenPipeError."""
+    try:
+        yield
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        discard_the_rest()
+        raise InputError("file_unwritable", f"standard output: cannot be written: {_reason(error)}") from None
+
+
+def discard_the_rest() -> None:
+    """Discards buffered output that cannot be written, so that Python does not raise again when it ends."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _reason(error: OSError | ValueError) -> str:

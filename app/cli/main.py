@@ -21,7 +21,7 @@ from ..authored_folders import VARIABLE as LEXICON
 from ..authored_folders import layers_of
 from ..errors import UnderstudyError
 from .arguments.parser import make_parser
-from .files import require_distinct
+from .files import discard_the_rest, require_distinct, standard_output
 from .log import Log
 
 WRONG_INPUT = 2
@@ -51,12 +51,13 @@ def main(argv: Sequence[str] | None = None) -> int:
         run = _command(arguments.command)
         with set_by(arguments):
             code = run(arguments, log)
-        sys.stdout.flush()
+        with standard_output():
+            sys.stdout.flush()
     except UnderstudyError as error:
         log.error(error)
         return WRONG_INPUT
     except BrokenPipeError:
-        _discard_the_rest()
+        discard_the_rest()
         return 0
     except KeyboardInterrupt:
         return INTERRUPTED
@@ -70,12 +71,6 @@ def _command(name: str) -> Callable[[argparse.Namespace, Log], int]:
     module, function = SHARED.get(name, (name, "run"))
     home = importlib.import_module(f".commands.{module}", __package__)
     return cast(Callable[[argparse.Namespace, Log], int], getattr(home, function))
-
-
-def _discard_the_rest() -> None:
-    """Discards buffered output after its reader has closed the pipe, so that Python does not raise again when it
-    ends."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 AGITATION_MODEL = "UNDERSTUDY_AGITATION_MODEL"

@@ -285,6 +285,15 @@ def test_writing_keeps_the_old_file_when_it_fails(tmp_path: Path, monkeypatch: p
     assert list(tmp_path.iterdir()) == [target]
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is full")
+def test_standard_output_on_a_full_disk_is_told_in_a_line() -> None:
+    with Path("/dev/full").open("wb") as full:
+        command = [sys.executable, "-m", "understudy.cli", "characters", "list"]
+        run = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+    told = "understudy: standard output: cannot be written: No space left on device\n"
+    assert (run.returncode, run.stderr) == (2, told)
+
+
 def test_writing_follows_links_and_leaves_devices_alone(tmp_path: Path) -> None:
     target, link = tmp_path / "real.bml", tmp_path / "link.bml"
     target.write_text("old")
