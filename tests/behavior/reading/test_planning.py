@@ -58,6 +58,21 @@ def plan_of(understudy: Understudy, text: str, who: Player, still: Sequence[int]
     return plan(understudy.behavior.planner, line, who, still=still)
 
 
+@pytest.mark.parametrize("kind", ["squint", "smile", "tilt"])
+def test_a_face_or_head_that_its_author_weighs_heavily_is_made(understudy: Understudy, kind: str) -> None:
+    """A squint too, which the reading alone never makes."""
+    models = understudy.behavior
+    planner = replace(models.planner, kind_weights={"subject(first person)": {kind: 8.0}})
+    weighed = replace(understudy, behavior=replace(models, planner=planner))
+    text, who = "I left the keys on the table.", player(understudy)
+    made, usual = (
+        {family for moment in plan_of(each, text, who).moments for family in moment.families}
+        for each in (weighed, understudy)
+    )
+    assert kind in made
+    assert "squint" not in usual
+
+
 def planned(understudy: Understudy, text: str, quantity: float = 1.0) -> tuple[Moment, ...]:
     return plan_of(understudy, text, player(understudy, quantity)).moments
 
