@@ -29,7 +29,7 @@ MIRROR: FloatArray = np.array([1.0, -1.0, -1.0, 1.0])
 
 
 @dataclass(frozen=True, slots=True)
-class Limit:
+class JointLimit:
     """The range of a chain of joints (their rotations multiplied) or of a single joint; `bone` is the twist axis, 0 to
     2."""
 
@@ -46,18 +46,18 @@ class Limit:
 
 
 _TRUNK = (
-    Limit(("spine", "chest", "upperChest"), 1, (-30.0, -45.0, -35.0), (70.0, 45.0, 35.0)),
-    Limit(("neck", "head"), 1, (-45.0, -60.0, -45.0), (45.0, 60.0, 45.0)),
+    JointLimit(("spine", "chest", "upperChest"), 1, (-30.0, -45.0, -35.0), (70.0, 45.0, 35.0)),
+    JointLimit(("neck", "head"), 1, (-45.0, -60.0, -45.0), (45.0, 60.0, 45.0)),
 )
-_SHOULDER = Limit(("Shoulder", "UpperArm"), 1, (-180.0, -70.0, -80.0), (60.0, 90.0, 180.0), from_hanging=True)
+_SHOULDER = JointLimit(("Shoulder", "UpperArm"), 1, (-180.0, -70.0, -80.0), (60.0, 90.0, 180.0), from_hanging=True)
 _ARM = (
-    Limit(("Shoulder",), 0, (-10.0, -30.0, -12.0), (10.0, 20.0, 45.0)),
+    JointLimit(("Shoulder",), 0, (-10.0, -30.0, -12.0), (10.0, 20.0, 45.0)),
     _SHOULDER,
-    Limit(("LowerArm",), 0, (-80.0, -150.0, 0.0), (80.0, 0.0, 0.0)),
-    Limit(("Hand",), 0, (0.0, -20.0, -80.0), (0.0, 30.0, 70.0)),
+    JointLimit(("LowerArm",), 0, (-80.0, -150.0, 0.0), (80.0, 0.0, 0.0)),
+    JointLimit(("Hand",), 0, (0.0, -20.0, -80.0), (0.0, 30.0, 70.0)),
 )
 _PHALANGES = tuple(
-    Limit((finger + phalanx,), 0, lowest, highest)
+    JointLimit((finger + phalanx,), 0, lowest, highest)
     for finger in FINGERS[1:]
     for phalanx, lowest, highest in (
         ("Proximal", (-25.0, -30.0, -95.0), (25.0, 30.0, 30.0)),
@@ -67,12 +67,12 @@ _PHALANGES = tuple(
 )
 
 
-def _sided(side: str, limit: Limit) -> Limit:
+def _sided(side: str, limit: JointLimit) -> JointLimit:
     joints = tuple(side + joint for joint in limit.joints)
-    return Limit(joints, limit.bone, limit.lowest_deg, limit.highest_deg, limit.from_hanging)
+    return JointLimit(joints, limit.bone, limit.lowest_deg, limit.highest_deg, limit.from_hanging)
 
 
-LIMITS: tuple[Limit, ...] = (*_TRUNK, *(_sided(side, limit) for side in SIDES for limit in (*_ARM, *_PHALANGES)))
+LIMITS: tuple[JointLimit, ...] = (*_TRUNK, *(_sided(side, limit) for side in SIDES for limit in (*_ARM, *_PHALANGES)))
 
 
 _CLAMPED = (*_TRUNK, *(_sided(side, limit) for side in SIDES for limit in _ARM))
@@ -119,7 +119,7 @@ def _passed(alike: "_Alike", angles: FloatArray) -> NDArray[np.intp]:
     return np.flatnonzero((over > _TOLERATED_DEG).any(axis=-1))
 
 
-def _brought_back(limit: Limit, chain: Sequence[FloatArray], within_deg: FloatArray) -> FloatArray:
+def _brought_back(limit: JointLimit, chain: Sequence[FloatArray], within_deg: FloatArray) -> FloatArray:
     """The rotation (…, 4) of the last of the chain's joints with which its angles (…, 3) are those within the
     limit."""
     within = _joined(limit, within_deg)
@@ -181,7 +181,7 @@ class _Alike:
     """Limits that are measured in the same way, at once for speed: their columns, what makes their chains the left
     side's (n, 4), and their bounds (n, 3)."""
 
-    limits: tuple[Limit, ...]
+    limits: tuple[JointLimit, ...]
     columns: list[int]
     mirrors: FloatArray
     lowest_deg: FloatArray
@@ -194,14 +194,14 @@ class _Alike:
 
 
 @cache
-def _alike(limits: tuple[Limit, ...]) -> tuple[_Alike, ...]:
+def _alike(limits: tuple[JointLimit, ...]) -> tuple[_Alike, ...]:
     """The limits in groups. Cached; never mutated."""
     kinds = [(limit.bone, limit.from_hanging, len(limit.joints)) for limit in limits]
     groups = [[column for column, other in enumerate(kinds) if other == kind] for kind in dict.fromkeys(kinds)]
     return tuple(_group(tuple(limits[column] for column in columns), columns) for columns in groups)
 
 
-def _group(limits: tuple[Limit, ...], columns: list[int]) -> _Alike:
+def _group(limits: tuple[JointLimit, ...], columns: list[int]) -> _Alike:
     mirrors = np.array([MIRROR if limit.joints[0].startswith("right") else np.ones(4) for limit in limits])
     lowest, highest = ([getattr(limit, end) for limit in limits] for end in ("lowest_deg", "highest_deg"))
     return _Alike(limits, columns, mirrors, np.array(lowest), np.array(highest))
@@ -217,7 +217,7 @@ def _turned(skeleton: Skeleton, alike: _Alike, rotations: FloatArray) -> FloatAr
     return rotation * alike.mirrors
 
 
-def _joined(limit: Limit, angles_deg: FloatArray) -> FloatArray:
+def _joined(limit: JointLimit, angles_deg: FloatArray) -> FloatArray:
     """The rotation with these three angles; the inverse of `swing_twist_deg`."""
     angles = np.radians(angles_deg)
     twist = from_axis_angle(_AXES[limit.bone], angles[..., limit.bone])
