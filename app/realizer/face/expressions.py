@@ -86,7 +86,7 @@ def envelope(times_s: FloatArray, points_s: tuple[float, float, float, float]) -
     """The curve that is 0 at the first point, 1 from the second to the third, and 0 at the fourth."""
     start_s, ready_s, relax_s, end_s = points_s
     rise = minimum_jerk((times_s - start_s) / (ready_s - start_s))
-    return np.asarray(rise - minimum_jerk((times_s - relax_s) / (end_s - relax_s)))
+    return np.maximum(rise - minimum_jerk((times_s - relax_s) / (end_s - relax_s)), 0.0)  # never below by rounding
 
 
 def envelope_points(sync: SyncPoints, frame_s: float) -> tuple[float, float, float, float]:
