@@ -4,8 +4,9 @@ Every function takes the digits as written and returns lower-case words without 
 """
 
 import re
-from functools import cache
 from typing import Any
+
+from ...loading import OnDemand
 
 LONGEST_CARDINAL = 15
 """Numbers with more digits are read digit by digit."""
@@ -24,7 +25,7 @@ def cardinal(digits: str) -> tuple[str, ...]:
 
 def ordinal(digits: str) -> tuple[str, ...]:
     """ "21" → twenty first."""
-    return _split(_english().ordinal(" ".join(cardinal(digits))))
+    return _split(_ENGLISH.get().ordinal(" ".join(cardinal(digits))))
 
 
 def decimal(whole: str, fraction: str) -> tuple[str, ...]:
@@ -62,19 +63,18 @@ def clock(hour: str, minute: str) -> tuple[str, ...]:
 
 def plural(noun: str) -> str:
     """ "foot" → feet, "mile per hour" → miles per hour, "eighty" → eighties."""
-    return str(_english().plural(noun))
+    return str(_ENGLISH.get().plural(noun))
 
 
 def _words(digits: str) -> tuple[str, ...]:
-    return _split(str(_english().number_to_words(str(int(digits)), andword="")))
+    return _split(str(_ENGLISH.get().number_to_words(str(int(digits)), andword="")))
 
 
 def _split(words: str) -> tuple[str, ...]:
     return tuple(_WORD.findall(words))
 
 
-@cache
-def _english() -> Any:  # noqa: ANN401 - inflect has no types of its own
+def _engine() -> Any:  # noqa: ANN401 - inflect has no types of its own
     """inflect's engine. At the import typeguard would compile its functions anew, for checks at run time, which takes
     two seconds; here it leaves them as they are."""
     import typeguard
@@ -86,3 +86,7 @@ def _english() -> Any:  # noqa: ANN401 - inflect has no types of its own
     finally:
         typeguard.typechecked = typechecked
     return inflect.engine()
+
+
+_ENGLISH = OnDemand(_engine)
+"""Made once, whichever threads ask for it, since typeguard is changed meanwhile."""

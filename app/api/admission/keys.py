@@ -19,6 +19,7 @@ from starlette.datastructures import Headers
 from starlette.requests import HTTPConnection
 
 from ...errors import InputError
+from ...files import require_regular
 from ...settings import PREFIX, Settings
 
 FEWEST_CHARACTERS = 16
@@ -164,9 +165,8 @@ def _is_past(expires_s: float | None) -> bool:
 
 def _lines_in(path: Path) -> list[str]:
     """The keys in a file, one a line; lines that begin with # are comments."""
-    if path.exists() and not path.is_file():  # a pipe that nobody writes to would be waited for
-        raise InputError("setting_wrong", f"{PREFIX}API_KEYS_FILE: {path}: cannot be read: it is not a regular file")
     try:
+        require_regular(path)
         with path.open(encoding="utf-8") as file:
             lines = [line.strip() for line in file.read(LARGEST_FILE_BYTES).splitlines()]
     except (OSError, ValueError) as error:

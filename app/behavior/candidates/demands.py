@@ -7,7 +7,6 @@ forbidden is no candidate, and what nobody asked for does not come either.
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import chain
 
 from ...errors import InputError, did_you_mean, shown
 from ...model import Alternative, BehaviorCandidates, Channel, Demand, Moment, Movement, Term, Utterance
@@ -113,8 +112,7 @@ def _named(player: Player, demand: Demand, utterance: Utterance) -> tuple[str, .
     if demand.what in player.behaviors:
         return (demand.what,)
     families = player.families
-    kinds = (families.gesture, families.head, families.face, families.gaze)
-    listed = next((each[demand.what] for each in kinds if demand.what in each), ())
+    listed = families.gesture.get(demand.what) or families.kinds.get(demand.what, ())
     words = range(demand.first, demand.last + 1)
     lemmas = frozenset(token.lemma.lower() for token in utterance.parse.tokens if token.word in words)
     lexeme = demand.what.upper()
@@ -175,8 +173,7 @@ def beside(moments: Iterable[Moment], demanded: Sequence[BehaviorCandidates]) ->
 def _lexemes_of(what: str, families: Families, behaviors: Mapping[str, Playable]) -> set[str]:
     """The lexemes that an audience reads as a family of gestures first, and those of the behaviours of a kind."""
     first = {lexeme for lexeme, shown in families.shows.items() if shown[0] == what}
-    listed = chain(*(kinds.get(what, ()) for kinds in (families.head, families.face, families.gaze)))
-    return first | {behaviors[each.name].lexeme for each in listed}
+    return first | {behaviors[each.name].lexeme for each in families.kinds.get(what, ())}
 
 
 def _moment(player: Player, demand: Demand, name: str) -> Moment:
@@ -198,9 +195,8 @@ def _read_as(player: Player, name: str) -> tuple[str, ...]:
     families, entry = player.families, player.behaviors[name]
     if entry.channel is Channel.GESTURE:
         return families.shows.get(entry.lexeme, (name,))
-    kinds = {Channel.HEAD: families.head, Channel.FACE: families.face, Channel.GAZE: families.gaze}
-    listed = kinds.get(entry.channel, {})
-    return next(((kind,) for kind, shows in listed.items() if any(each.name == name for each in shows)), (name,))
+    kinds = (kind for kind, listed in families.kinds.items() if any(each.name == name for each in listed))
+    return (next(kinds, name),)
 
 
 def _movement(demand: Demand, name: str, moment: Moment) -> Movement:

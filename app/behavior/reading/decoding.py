@@ -89,8 +89,10 @@ def spans_of(
 def _passing(kinds: Sequence[str], level: SingleArray) -> list[int]:
     """The places of the kinds that a stretch has, given their probabilities (K,) as multiples of their thresholds."""
     taken: list[int] = []
-    for place in np.flatnonzero(level >= 1)[np.argsort(-level[level >= 1], kind="stable")].tolist():
-        if len(taken) < MOST_KINDS and not any(_contrary(kinds[place], kinds[each]) for each in taken):
+    for place in np.argsort(-level, kind="stable").tolist():
+        if level[place] < 1 or len(taken) == MOST_KINDS:
+            break
+        if not any(_contrary(kinds[place], kinds[each]) for each in taken):
             taken.append(place)
     return taken
 
@@ -179,8 +181,7 @@ def _together(one: str, other: str) -> bool:
 def _one_after_another(
     taken: Sequence[tuple[str, SingleArray]], first: int, last: int, asked: Collection[tuple[int, str]]
 ) -> Iterator[Span]:
-    together = sum(kind in MOUTH for kind, _ in taken) == 1
-    if len(taken) == MOST_KINDS and together:
+    if len(taken) == MOST_KINDS and _together(taken[0][0], taken[1][0]):
         parts = [(first, last)] * MOST_KINDS
     elif len(taken) == MOST_KINDS and last > first:
         taken = sorted(taken, key=lambda each: int(each[1].argmax()))

@@ -78,6 +78,11 @@ class Families:
         """The behaviours of all families of gestures."""
         return frozenset(each.name for listed in self.gesture.values() for each in listed)
 
+    @property
+    def kinds(self) -> Mapping[str, tuple[FamilyBehavior, ...]]:
+        """The kinds of movement of head, face and eyes; some are called as a family of gestures is."""
+        return MappingProxyType({**self.head, **self.face, **self.gaze})
+
 
 def family_rule(channel: str, family: str) -> str:
     """The name given in place of a rule in the reason for a behaviour that shows a planned family and that no rule
