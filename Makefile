@@ -2,6 +2,8 @@
 
 PYTHON ?= python3
 BIN := .venv/bin
+# One more than there are cores, since many tests wait.
+TEST_PROCESSES ?= $(shell $(PYTHON) -c "import os; print(min(4, 1 + (os.cpu_count() or 1)))")
 
 # Every target with its first line of comment.
 help:
@@ -37,7 +39,7 @@ types: .venv/installed-test
 
 # The tests alone.
 suite: .venv/installed-test
-	OMP_NUM_THREADS=1 $(BIN)/pytest -n auto --maxprocesses 4 --dist loadfile --no-loadscope-reorder -rs
+	OMP_NUM_THREADS=1 $(BIN)/pytest -n $(TEST_PROCESSES) --dist loadfile --no-loadscope-reorder -rs
 
 # The service under attack, on loopback alone, some ten minutes; python -m benchmarks.api.drill takes longer.
 drill: .venv/installed-test
@@ -71,7 +73,7 @@ bench: .venv/installed-test
 
 # New examples for the properties, twenty times as many as the suite tries, which are always the same: an hour on two cores.
 search: .venv/installed-test
-	UNDERSTUDY_EXAMPLES=20 OMP_NUM_THREADS=1 $(BIN)/pytest -m hypothesis -n auto --maxprocesses 4
+	UNDERSTUDY_EXAMPLES=20 OMP_NUM_THREADS=1 $(BIN)/pytest -m hypothesis -n $(TEST_PROCESSES)
 
 # The client and its example, with node, npm and chromium where they are; what is missing is said and skipped.
 test-clients: .venv/installed
