@@ -16,7 +16,7 @@ import numpy as np
 from ..model import Behavior, Channel, FloatArray, Hand, Schedule, SyncPoints
 from ..model.figure import PLAIN, Figure, Looks
 from ..option_table import MOTION
-from .arms.collisions import Collisions, resolve_collisions
+from .arms.collisions import Collisions, kept_apart
 from .body.motion import BodyMotion, Decision, Motion
 from .body.movement_style import Ends, MovementStyle
 from .body.proportions import Proportions
@@ -199,11 +199,11 @@ def _moving_body(
 ) -> tuple[BodyMotion, tuple[Decision, ...]]:
     """The body by the controllers in order, and the decisions about its looks with gestures and its steps."""
     lively = 1 - schedule.stillness
-    accents = accents_of(plan, times_s, style.stroke, scale=lively)
     eased_s = eased_at_the_ends(times_s, style.ends.eased_s)
+    accents = accents_of(plan, eased_s, style.stroke, scale=lively)
     body = idle_motion(skeleton, eased_s, schedule, seed=seed, life=style.idle, with_limbs=False)
     body = replace(body, times_s=times_s)
-    body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=lively, accents=accents)
+    body = apply_gestures(skeleton, body, plan, seed=seed, noise_scale=lively, accents=accents, eased_s=eased_s)
     body = with_hanging_arms(skeleton, body)
     body = with_shrugs(skeleton, body, plan)
     body, stepped = with_steps(skeleton, body, schedule, seed=seed)
@@ -233,13 +233,15 @@ def _apart(
 def _keep_apart_and_calm(skeleton: Skeleton, body: BodyMotion, ends: Ends) -> Collisions:
     """Limbs that are kept apart may be too fast or not at rest at the ends, and those that are calmed inside something:
     in turns, until they are neither. In place."""
-    found = resolve_collisions(skeleton, body)
+    found, posed = kept_apart(skeleton, body)
     for _round in range(_APART_ROUNDS):
-        eased = ease_ends(skeleton, body, ends.eased_s)
-        calmed = calm_head(skeleton, body), calm_arms(skeleton, body)
+        eased = ease_ends(skeleton, body, ends.eased_s, posed)
+        now = None if eased else posed
+        calmed = calm_head(skeleton, body, now), calm_arms(skeleton, body, now)  # no wrist goes with a head
         if not eased and not any(calmed):
             break
-        found = found.and_then(resolve_collisions(skeleton, body))
+        again, posed = kept_apart(skeleton, body)
+        found = found.and_then(again)
     return found
 
 

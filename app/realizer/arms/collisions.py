@@ -27,6 +27,8 @@ _FASTEST_RAD_S = (19.0, 28.0)
 """How fast joints may turn to get limbs out; faster only where something stays inside: it can be calmed after."""
 _TOLERATED_M = 0.001
 _ATTEMPTS = 3
+_FRAMES_AT_ONCE = 2048
+"""Frames that are brought within limits at a time, so that long takes need little more memory."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,12 +75,20 @@ def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> Collisions:
     limits, in place.
 
     Returns the stretches of time in which a hand was displaced, or could not be without making a joint jump.
+    """
+    return kept_apart(skeleton, body)[0]
+
+
+def kept_apart(skeleton: Skeleton, body: BodyMotion) -> tuple[Collisions, PosedBody]:
+    """`resolve_collisions`, and where the joints of the body are then.
 
     Where something stays inside, as when both arms fold at once, displacements are blended in over a longer time, and
     then limbs leave on another side; what is left after the best of these is left again, from there.
     """
-    clamp(skeleton, body.rotations)
-    depth_m = depths_where_near_m(skeleton, body)
+    for first in range(0, len(body.rotations), _FRAMES_AT_ONCE):
+        clamp(skeleton, body.rotations[first : first + _FRAMES_AT_ONCE])
+    posed = PosedBody.carrying(skeleton, body.rotations, body.hips_m)
+    depth_m = depths_where_near_m(skeleton, body, posed)
     moved = tuple(_intrusions(depth_m, body.times_s))
     unsolved: tuple[_Clearance, ...] = ()
     for _attempt in range(_ATTEMPTS):
@@ -86,10 +96,11 @@ def resolve_collisions(skeleton: Skeleton, body: BodyMotion) -> Collisions:
         if not inside.any():
             break
         unsolved = _left_inside(skeleton, body, inside)
+        posed = PosedBody.carrying(skeleton, body.rotations, body.hips_m)
         if not unsolved:
             break
-        depth_m = depths_where_near_m(skeleton, body)
-    return Collisions(moved, tuple(_unsolved(body.times_s[each.there], each.left_m) for each in unsolved))
+        depth_m = depths_where_near_m(skeleton, body, posed)
+    return Collisions(moved, tuple(_unsolved(body.times_s[each.there], each.left_m) for each in unsolved)), posed
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -139,8 +150,9 @@ def _clearances(
         yield _Clearance(there, *cleared(skeleton, posed, way, weights))
 
 
-def depths_where_near_m(skeleton: Skeleton, body: BodyMotion) -> FloatArray:
+def depths_where_near_m(skeleton: Skeleton, body: BodyMotion, posed: PosedBody | None = None) -> FloatArray:
     """The depths (T, P) in all frames in which a limb may be inside something; the others', -1, are not looked at.
+    `posed`, where the joints of the body are, need not be given.
 
     One frame every `_LOOK_S` is, and if one has a limb within `_NEAR_M` of something, or would have between it and the
     next as fast as limbs come before and go after, the frames around it: how far limbs accelerate towards something
@@ -151,12 +163,12 @@ def depths_where_near_m(skeleton: Skeleton, body: BodyMotion) -> FloatArray:
     looked_at[::stride] = looked_at[-1] = True
     found = np.full((frames, len(PAIRS)), -1.0)
     first = np.flatnonzero(looked_at)
-    found[first] = depths_m(skeleton, body.rotations, body.hips_m, first)
+    found[first] = depths_m(skeleton, body.rotations, body.hips_m, first, posed)
     found_near = found.max(axis=1) > -_NEAR_M
     found_near[first[:-1][_deepest_between_m(found[first]) > -_NEAR_M]] = True
     near = np.flatnonzero(around(found_near, stride) & ~looked_at)
     if len(near):
-        found[near] = depths_m(skeleton, body.rotations, body.hips_m, near)
+        found[near] = depths_m(skeleton, body.rotations, body.hips_m, near, posed)
     return found
 
 

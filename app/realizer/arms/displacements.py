@@ -15,10 +15,10 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from ...model import FloatArray, Hand
+from ...model import FloatArray
 from ..body.contacts import PosedBody
 from ..body.limits import MIRROR
-from ..body.skeleton import Skeleton
+from ..body.skeleton import SIDES, Skeleton
 from ..geometry.curves import minimum_jerk
 from ..geometry.rotations import dot, inverse, length, multiply, nearest_sign, rotate
 from ..gestures.wrist_angles import preserving_wrist_angles
@@ -27,7 +27,9 @@ from .arm_reach import ArmBones, reach_by_elbow, towards_elbow
 _ELBOW_AT_LEAST_M = 0.12
 _FARTHEST_M = 0.22
 _TWIST: FloatArray = np.array([1.0, 0.0, 0.0, 1.0])
-_MIRRORED: FloatArray = np.array([-1.0, 1.0, 1.0])
+_MIRRORS: FloatArray = np.stack((np.ones(4), MIRROR))
+_MIRRORED: FloatArray = np.array([[1.0, 1.0, 1.0], [-1.0, 1.0, 1.0]])
+"""What makes rotations and places of either side those of the left."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,30 +59,30 @@ def taper(frames: int, swell: int, ends: tuple[bool, bool]) -> FloatArray:
 def displaced(skeleton: Skeleton, body: PosedBody, pushes: Mapping[str, Displacement]) -> FloatArray:
     """The local rotations with both arms displaced, in the frames concerned."""
     rotations = body.rotations.copy()
-    for side, push in pushes.items():
-        frames = np.nonzero((length(push.wrist_m) + length(push.elbow_m))[:, 0] > 1e-6)[0]
-        if len(frames):
-            pushed = Displacement(push.wrist_m[frames], push.elbow_m[frames])
-            joints = skeleton.rows(*(side + name for name in ("UpperArm", "LowerArm", "Hand")))
-            rotations[frames, joints] = _solved_again(skeleton, body, frames, Hand(side), pushed)
+    moved = [np.flatnonzero(length(push.wrist_m) + length(push.elbow_m) > 1e-6) for push in pushes.values()]
+    frames = np.concatenate(moved)
+    if len(frames):
+        arms = np.repeat([SIDES.index(side) for side in pushes], [len(each) for each in moved])
+        pushed = zip(moved, pushes.values(), strict=True)
+        ways_m = [(push.wrist_m[there], push.elbow_m[there]) for there, push in pushed]
+        push = Displacement(*(np.concatenate(each) for each in zip(*ways_m, strict=True)))
+        joints = _arm_joints(skeleton)[arms]
+        rotations[frames[:, None], joints[:, 1:]] = _solved_again(skeleton, body, frames, arms, push)
     return rotations
 
 
 def _solved_again(
-    skeleton: Skeleton, body: PosedBody, frames: NDArray[np.intp], side: Hand, push: Displacement
+    skeleton: Skeleton, body: PosedBody, frames: NDArray[np.intp], arms: NDArray[np.intp], push: Displacement
 ) -> FloatArray:
-    """Upper arm, lower arm and hand (F, 3, 4) of the arm `side` in these frames (F,), solved for the displaced wrist
-    and elbow (F, 3)."""
-    names = ("Shoulder", "UpperArm", "LowerArm", "Hand")
-    chest, *joints = skeleton.chain("upperChest", *(side.value + name for name in names))
+    """Upper arm, lower arm and hand (M, 3, 4) of these arms (M,), 0 for the left one, in these frames (M,), solved for
+    the displaced wrists and elbows (M, 3): both arms at once, since calls are what this costs."""
+    joints, chest = _arm_joints(skeleton)[arms], skeleton.index["upperChest"]
     bones = ArmBones.of(skeleton)
-    hand_m, chest_m = (body.positions_m[frames, joint] for joint in (joints[-1], chest))
-    hand, back = body.orientations[frames, joints[-1]], inverse(body.orientations[frames, chest])
-    mirror, across = (np.ones(4), np.ones(3)) if side is Hand.LEFT else (MIRROR, _MIRRORED)
+    hand_m, chest_m = body.positions_m[frames, joints[:, -1]], body.positions_m[frames, chest]
+    hand, back = body.orientations[frames, joints[:, -1]], inverse(body.orientations[frames, chest])
+    mirror, across = _MIRRORS[arms], _MIRRORED[arms]
     root_m = bones.root_m - skeleton.offsets_m[skeleton.index["leftShoulder"]]
-    wrist_m, elbow_push_m = (
-        rotate(back, vector) * across for vector in (hand_m + push.wrist_m - chest_m, push.elbow_m)
-    )
+    wrist_m, elbow_push_m = rotate(back, np.stack((hand_m + push.wrist_m - chest_m, push.elbow_m))) * across
     before = body.rotations[frames[:, None], joints]
     collarbone, upper_arm, lower_arm = (before[:, joint] * mirror for joint in range(3))
     elbow = towards_elbow(multiply(collarbone, upper_arm), _without_twist(lower_arm), bones)
@@ -88,7 +90,14 @@ def _solved_again(
     arm = reach_by_elbow(bones, collarbone, wrist_m + root_m, elbow)
     turn = preserving_wrist_angles(arm.forearm, multiply(back, hand) * mirror).clamped()
     after = np.stack((arm.upper_arm, multiply(arm.elbow, turn.forearm), turn.hand), axis=1)
-    return nearest_sign(after * mirror, before[:, 1:])
+    return nearest_sign(after * mirror[:, None], before[:, 1:])
+
+
+@lru_cache(maxsize=64)
+def _arm_joints(skeleton: Skeleton) -> NDArray[np.intp]:
+    """Collarbone, upper arm, lower arm and hand (2, 4) of the left and of the right arm. Cached; never mutated."""
+    names = ("Shoulder", "UpperArm", "LowerArm", "Hand")
+    return np.array([skeleton.chain(*(side + name for name in names)) for side in SIDES], dtype=np.intp)
 
 
 def _without_twist(lower_arm: FloatArray) -> FloatArray:

@@ -14,8 +14,9 @@ import numpy as np
 
 from ...model import FloatArray, Hand
 from ..body.skeleton import PARTS
+from ..geometry.curves import means_around, reach_of
 from ..geometry.noise import Noise, perlins
-from ..geometry.rotations import from_rotation_vector, keep_signs, multiply
+from ..geometry.rotations import keep_signs, multiply_parts, sine_and_cosine
 from ..geometry.splines import Curves, rotations_at, splines
 from .posing import PartialPose
 
@@ -24,6 +25,7 @@ FOLLOW_THROUGH_S = 0.3
 
 _SHARE_OF_INTERVAL = 0.35
 _NOISE_HZ = 0.7
+_NEAR_ZERO = 1e-12
 _BLOCK = 500
 """Frames interpolated at a time, to limit memory in long motions."""
 
@@ -83,37 +85,70 @@ class ArmTrack:
 
 def arm_motion(track: ArmTrack, times_s: FloatArray, *, seed: int, noise_scale: float = 1.0) -> FloatArray:
     """The arm's rotations (T, 19, 4) at `times_s` (T,); see `set_arms`."""
-    arm = np.empty((len(times_s), len(PARTS) - 1, 4))
-    set_arms((arm,), (track,), times_s, seed=seed, noise_scale=noise_scale)
-    return arm
+    arm = np.empty((len(times_s), 1, len(PARTS) - 1, 4))
+    set_arms(arm, (track,), times_s, seed=seed, noise_scale=noise_scale)
+    return arm[:, 0]
 
 
 def set_arms(
-    arms: Sequence[FloatArray],
+    arms: FloatArray,
     tracks: Sequence[ArmTrack],
     times_s: FloatArray,
     *,
     seed: int,
     noise_scale: float = 1.0,
+    width: float = 0.0,
 ) -> None:
-    """Fill in the rotations (T, 19, 4) of each of `arms` at `times_s` (T,), with continuous quaternion signs; two cost
-    little more than one. `noise_scale` (0 to 1) scales the noise of the keys."""
+    """Fill in the rotations `arms` (T, A, 19, 4) of A arms at `times_s` (T,), with continuous quaternion signs; two
+    cost little more than one. `noise_scale` (0 to 1) scales the noise of the keys. Each frame is the mean of its
+    neighbours, weighted by a Gaussian of `width` frames, which takes away the steps in acceleration that splines have
+    at their keys.
+
+    Until the end the quaternions are four arrays of their parts (4, A, 19, F), since NumPy is several times as fast
+    with what lies together in memory.
+    """
     curves = splines(Curves.joined([_curves(track) for track in tracks]))
+    reach = reach_of(width)
     for first in range(0, len(times_s), _BLOCK):
-        block = slice(first, first + _BLOCK)
-        parts = rotations_at(curves, times_s[block]).reshape(-1, len(tracks), len(PARTS), 4)
-        joints = _joints(_stirred(tracks, parts, times_s[block], seed, noise_scale=noise_scale))
-        for number, arm in enumerate(arms):
-            arm[block] = joints[:, number]
-    for arm in arms:
-        keep_signs(arm)
+        block = arms[first : first + _BLOCK]
+        near = np.arange(first - reach, first + len(block) + reach)
+        near_s = times_s.take(near, mode="clip")
+        parts = rotations_at(curves, near_s).T.reshape(4, len(tracks), len(PARTS), len(near))
+        joints = _joints(_stirred(tracks, parts, near_s, seed, noise_scale=noise_scale))
+        _keep_signs(joints)
+        block[...] = (_smoothed(joints, width) if reach else joints).transpose(3, 1, 2, 0)
+    if len(times_s) > _BLOCK:
+        keep_signs(arms)
+
+
+def _smoothed(joints: FloatArray, width: float) -> FloatArray:
+    """The mean rotations (4, A, 19, T) of neighbours, of those (4, A, 19, T + 2 × `reach_of`) and as many before and
+    after."""
+    means = means_around(joints.reshape(-1, joints.shape[-1]), width).reshape(*joints.shape[:-1], -1)
+    means /= np.sqrt(_dot(means, means))
+    return means
+
+
+def _keep_signs(joints: FloatArray) -> None:
+    """`keep_signs` of parts (4, A, 19, T)."""
+    turned = _dot(joints[..., 1:], joints[..., :-1]) < 0
+    if turned.any():
+        joints[..., 1:] *= np.cumprod(np.where(turned, -1.0, 1.0), axis=-1)
+
+
+def _dot(a: FloatArray, b: FloatArray) -> FloatArray:
+    found = a[0] * b[0]
+    for part in range(1, 4):
+        found += a[part] * b[part]
+    return np.asarray(found)
 
 
 def _joints(parts: FloatArray) -> FloatArray:
-    """`posing.arm_rotations` (T, A, 19, 4) of parts (T, A, 20, 4), which it changes."""
-    parts[:, :, 3] = multiply(parts[:, :, 2], parts[:, :, 3])
-    parts[:, :, 2], parts[:, :, 1] = parts[:, :, 1].copy(), parts[:, :, 0].copy()
-    return parts[:, :, 1:]
+    """`posing.arm_rotations` (4, A, 19, F) of parts (4, A, 20, F)."""
+    joints = np.empty((4, parts.shape[1], len(PARTS) - 1, parts.shape[3]))
+    joints[:, :, :2], joints[:, :, 3:] = parts[:, :, :2], parts[:, :, 4:]
+    joints[:, :, 2] = multiply_parts(parts[:, :, 2], parts[:, :, 3])
+    return joints
 
 
 def _curves(track: ArmTrack) -> Curves:
@@ -145,34 +180,42 @@ _STIRRED_ROWS = (slice(0, 5), slice(8, None, 3))
 
 @cache
 def _stirs() -> FloatArray:
-    """By how much each channel of noise turns each part that it stirs about its axes x, y and z, in radians (channels,
-    9, 3): joints only in directions in which they turn. Never mutated."""
+    """By how much each channel of noise turns each part that it stirs about its axes x, y and z, in half radians (3, 1,
+    9, channels): joints only in directions in which they turn. Never mutated."""
     stir = {"Shoulder": (0.0, 0.5, 0.5), "UpperArm": (1.0, 1.0, 1.0), "Elbow": (0.0, 1.2, 0.0)}
     stir |= {"LowerArm": (1.5, 0.0, 0.0), "Hand": (0.0, 0.8, 1.4)}
-    rows = [part for rows in _STIRRED_ROWS for part in PARTS[rows]]
-    degrees = np.array([stir.get(part, (0.0, 0.0, 1.5)) for part in rows])
-    turned = np.nonzero(degrees)
-    spread = np.zeros((len(turned[0]), *degrees.shape))
-    spread[np.arange(len(spread)), *turned] = np.radians(degrees[turned])
+    degrees = np.array([stir.get(part, (0.0, 0.0, 1.5)) for rows in _STIRRED_ROWS for part in PARTS[rows]])
+    rows, axes = np.nonzero(degrees)
+    spread = np.zeros((3, 1, len(degrees), len(rows)))
+    spread[axes, 0, rows, np.arange(len(rows))] = np.radians(degrees[rows, axes]) / 2
     return spread
 
 
 def _stirred(
     tracks: Sequence[ArmTrack], parts: FloatArray, times_s: FloatArray, seed: int, *, noise_scale: float
 ) -> FloatArray:
-    """Parts (T, A, 20, 4) with Perlin noise, which "removes the freezing effect during the gesture hold" (paper
-    §3.8)."""
+    """Parts (4, A, 20, T), changed in place, with Perlin noise, which "removes the freezing effect during the gesture
+    hold" (paper §3.8)."""
     if not noise_scale:
         return parts
-    channels, directions = noise_scale * _stirs().reshape(len(_stirs()), -1), _stirs().shape[1:]
-    kinds = (Noise(_NOISE_HZ, 2 * seed + (track.side is not Hand.LEFT), len(channels)) for track in tracks)
-    noise = perlins(times_s, *kinds).reshape(len(times_s), len(tracks), -1)
+    stirs = noise_scale * _stirs()
+    kinds = (Noise(_NOISE_HZ, 2 * seed + (track.side is not Hand.LEFT), stirs.shape[-1]) for track in tracks)
+    noise = perlins(times_s, *kinds).T.reshape(len(tracks), -1, len(times_s))
     for arm, track in enumerate(tracks):
-        strength = np.interp(times_s, [key.time_s for key in track.keys], [key.noise for key in track.keys])
-        noise[:, arm] *= strength[:, None]
-    turned, first = from_rotation_vector((noise @ channels).reshape(*noise.shape[:2], *directions)), 0
+        noise[arm] *= np.interp(times_s, [key.time_s for key in track.keys], [key.noise for key in track.keys])
+    turned, first = _turned(stirs @ noise), 0
     for rows in _STIRRED_ROWS:
         stirred = parts[:, :, rows]
-        stirred[...] = multiply(stirred, turned[:, :, first : first + stirred.shape[2]])
+        stirred[...] = multiply_parts(stirred, turned[:, :, first : first + stirred.shape[2]])
         first += stirred.shape[2]
     return parts
+
+
+def _turned(halves: FloatArray) -> FloatArray:
+    """The parts (4, …) of the rotations by twice these rotation vectors (3, …)."""
+    x, y, z = halves
+    angle = np.sqrt(x * x + y * y + z * z)
+    turned = np.empty((4, *angle.shape))
+    sine, turned[3] = sine_and_cosine(angle)
+    np.multiply(halves, sine / np.maximum(angle, _NEAR_ZERO), out=turned[:3])
+    return turned

@@ -34,6 +34,9 @@ _ASKED_WITHIN_DEG = 8.0
 _AT_EASE_DEG: FloatArray = np.array([55.0, 14.0, 45.0])
 _ALONG_FOREARM: FloatArray = np.array([0.0, 0.35, 0.7])
 _HALF_WAIST_M, _WAIST_M, _FROM_WAIST_M = 0.06, 0.10, 0.15
+_OUTWARDS: FloatArray = np.array([1.0, -1.0])[:, None, None]
+_ACROSS: FloatArray = np.array([[[1.0, 1.0, 1.0]], [[-1.0, 1.0, 1.0]]])
+"""What makes directions outwards and places of the left side those of either side."""
 _POINTING_PALM: FloatArray = np.array([-0.4, -1.0, 0.0])
 
 
@@ -158,11 +161,16 @@ def wrist_of(skeleton: Skeleton, side: Hand, rotations: FloatArray) -> FloatArra
     return _wrist_of_left(ArmBones.of(skeleton), arm if side is Hand.LEFT else arm * MIRROR)
 
 
-def wrists_of(skeleton: Skeleton, left: FloatArray, right: FloatArray) -> FloatArray:
-    """`wrist_of` both arms (2, T, 3)."""
-    arms = np.stack((left[:, ARM_ROWS], right[:, ARM_ROWS]))
-    arms[1] *= MIRROR
-    return _wrist_of_left(ArmBones.of(skeleton), arms)
+def wrists_of(skeleton: Skeleton, arms: FloatArray) -> FloatArray:
+    """The wrists (2, T, 3) of a left and a right arm (T, 2, 19, 4) on an upright body, x to the character's left."""
+    bones = ArmBones.of(skeleton)
+    collarbone, upper_arm, elbow = (arms[:, :, row].swapaxes(0, 1) for row in range(3))
+    upper = multiply(collarbone, upper_arm)
+    wrists_m = rotate(collarbone, bones.collarbone_m * _ACROSS)
+    wrists_m += bones.root_m * _ACROSS
+    wrists_m += (bones.upper_m * _OUTWARDS) * x_axis(upper)
+    wrists_m += (bones.lower_m * _OUTWARDS) * x_axis(multiply(upper, elbow))
+    return wrists_m
 
 
 def _seen_from(side: Hand) -> FloatArray:

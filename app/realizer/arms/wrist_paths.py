@@ -68,8 +68,12 @@ def distance_m(one: FloatArray, other: FloatArray) -> float:
 
 
 def _wrist_m(clip: Clip, side: Hand, time_s: float, size: float) -> FloatArray:
-    within = [key for key in clip.keys if clip.markers.start <= key.time_s <= clip.markers.relax]
-    said = [(key.time_s, key_of.place) for key in within if (key_of := arm_key(key, side)) and key_of.place]
+    start_s, relax_s, left = clip.markers.start, clip.markers.relax, side is Hand.LEFT
+    said = [
+        (key.time_s, arm.place)
+        for key in clip.keys
+        if start_s <= key.time_s <= relax_s and (arm := key.left if left else key.right) and arm.place
+    ]
     if not said:
         return sector_m(_UNPLACED, size)
     passed = bisect_right(said, time_s, key=lambda each: each[0])

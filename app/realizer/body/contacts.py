@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from ...model import FloatArray
 from ..geometry.rotations import cross, dot, rotate
 from .proportions import Proportions
-from .skeleton import SIDES, Skeleton, forward, forward_again
+from .skeleton import HANDS, SIDES, Skeleton, forward, forward_again
 
 Point = tuple[float, float, float]
 
@@ -109,7 +109,7 @@ _LIMB_COLUMN, _OTHER_COLUMN = (np.array([_USED.index(pair[end]) for pair in PAIR
 
 _CROSSING = np.array([float(BUILD[other].part in LIMBS) for _limb, other in PAIRS])
 _CENTRAL_M = 0.01
-_BLOCK = 2_000
+_BLOCK = 1_200
 """Frames compared at a time, to limit memory in long motions."""
 
 
@@ -149,9 +149,21 @@ class PosedBody:
         """The frames of a motion; runs forward kinematics on the joints needed."""
         return cls(rotations, *forward(skeleton, rotations, hips_m, _compared_joints(skeleton)))
 
-    def frames(self, which: slice | NDArray[np.intp]) -> "PosedBody":
-        """A selection of the frames."""
-        return PosedBody(self.rotations[which], self.positions_m[which], self.orientations[which])
+    @classmethod
+    def carrying(cls, skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> "PosedBody":
+        """The same; but of a long motion only the positions of chest and hands and the orientations of chest and head,
+        and all others at zero, to save memory."""
+        if len(rotations) <= _BLOCK:
+            return cls.of(skeleton, rotations, hips_m)
+        places_m, turned = (np.zeros((len(skeleton.names), len(rotations), size)) for size in (3, 4))
+        for first in range(0, len(rotations), _BLOCK):
+            block = slice(first, first + _BLOCK)
+            posed = cls.of(skeleton, rotations[block], hips_m[block])
+            for joint in skeleton.chain("upperChest", *HANDS):
+                places_m[joint, block] = posed.positions_m[:, joint]
+            for joint in skeleton.chain("upperChest", "head"):
+                turned[joint, block] = posed.orientations[:, joint]
+        return cls(rotations, places_m.swapaxes(0, 1), turned.swapaxes(0, 1))
 
     def with_arms(self, skeleton: Skeleton, rotations: FloatArray) -> "PosedBody":
         """The same frames with new local rotations of the arms."""
@@ -163,30 +175,38 @@ class PosedBody:
 
 def contacts(skeleton: Skeleton, body: PosedBody) -> Contacts:
     """The contacts of every pair in every frame."""
-    starts, lines = _lines(skeleton, body)
-    between, along, other = starts[_LIMB_COLUMN] - starts[_OTHER_COLUMN], lines[_LIMB_COLUMN], lines[_OTHER_COLUMN]
-    on_limb, on_other = _nearest(along, other, between, _squared_lengths(skeleton))
-    apart = between + on_limb[..., None] * along - on_other[..., None] * other
-    touching_m = radii_m(skeleton)[:, None]
-    depth_m = touching_m - np.sqrt(_dot(apart, apart))
-    out, inside = np.zeros_like(apart), np.nonzero(depth_m > 0)
+    near = _nearest(skeleton, body, None)
+    out, inside = np.zeros_like(near.apart_m), np.nonzero(near.depth_m > 0)
     if len(inside[0]):
-        aside = _aside(along[inside], other[inside], between[inside] - other[inside] / 2, _CROSSING[inside[0]])
-        distance_m = (touching_m - depth_m)[inside][:, None]
-        out[inside] = _of_length_1(apart[inside] + aside * _CENTRAL_M * np.exp(-distance_m / _CENTRAL_M))
-    return Contacts(depth_m.T, out.swapaxes(0, 1), on_limb.T, on_other.T)
+        apart_m, along, other, between_m = (
+            np.stack([part[inside] for part in each], axis=-1)
+            for each in (near.apart_m, near.along_m, near.other_m, near.between_m)
+        )
+        aside = _aside(along, other, between_m - other / 2, _CROSSING[inside[0]])
+        distance_m = (radii_m(skeleton)[:, None] - near.depth_m)[inside][:, None]
+        ways = _of_length_1(apart_m + aside * _CENTRAL_M * np.exp(-distance_m / _CENTRAL_M))
+        for part in range(3):
+            out[part][inside] = ways[:, part]
+    return Contacts(near.depth_m.T, out.T, near.on_limb.T, near.on_other.T)
 
 
 def depths_m(
-    skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray, frames: NDArray[np.intp] | None = None
+    skeleton: Skeleton,
+    rotations: FloatArray,
+    hips_m: FloatArray,
+    frames: NDArray[np.intp] | None = None,
+    posed: PosedBody | None = None,
 ) -> FloatArray:
-    """The depth of every pair (F, P), positive inside, in the frames with these numbers (F,), or in every one."""
+    """The depth of every pair (F, P), positive inside, in the frames with these numbers (F,), or in every one. `posed`,
+    where the joints that carry the parts are, need not be given, and is not looked at in a long motion."""
     frames = np.arange(len(rotations)) if frames is None else frames
+    if posed is not None and len(rotations) <= _BLOCK:
+        return _nearest(skeleton, posed, frames).depth_m.T
     found = np.empty((len(frames), len(PAIRS)))
     for first in range(0, len(frames), _BLOCK):
         block = frames[first : first + _BLOCK]
-        posed = PosedBody.of(skeleton, rotations.take(block, axis=0), hips_m.take(block, axis=0))
-        found[first : first + _BLOCK] = contacts(skeleton, posed).depth_m
+        part = PosedBody.of(skeleton, rotations.take(block, axis=0), hips_m.take(block, axis=0))
+        found[first : first + _BLOCK] = _nearest(skeleton, part, None).depth_m.T
     return found
 
 
@@ -196,22 +216,24 @@ def penetrations_m(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray
     return np.asarray(np.maximum(depths_m(skeleton, rotations, hips_m).max(axis=1), 0.0))
 
 
-def _lines(skeleton: Skeleton, body: PosedBody) -> tuple[FloatArray, FloatArray]:
-    """Where the segments of the compared parts begin, and from there to their ends: each (parts, T, 3), in the
+def _lines(skeleton: Skeleton, body: PosedBody, frames: NDArray[np.intp] | None) -> tuple[FloatArray, FloatArray]:
+    """Where the segments of the compared parts begin, and from there to their ends: each (3, parts, F), in the
     world."""
     joints, segments_m = _carried(skeleton)
-    at, turned = body.positions_m.swapaxes(0, 1)[joints], body.orientations.swapaxes(0, 1)[joints]
+    chosen = joints if frames is None else (joints[:, None], frames)
+    at_m, turned = body.positions_m.swapaxes(0, 1)[chosen], body.orientations.swapaxes(0, 1)[chosen]
     starts_m, lines_m = rotate(turned, segments_m)
-    return at + starts_m, lines_m
+    starts_m += at_m
+    return np.ascontiguousarray(np.moveaxis(starts_m, -1, 0)), np.ascontiguousarray(np.moveaxis(lines_m, -1, 0))
 
 
 @lru_cache(maxsize=64)
-def _carried(skeleton: Skeleton) -> tuple[list[int], FloatArray]:
+def _carried(skeleton: Skeleton) -> tuple[NDArray[np.intp], FloatArray]:
     """The joints that carry the compared parts; where the segments of these begin, and from there to their ends
     (2, parts, 1, 3). Cached; never mutated."""
     build = build_of(skeleton.proportions)
     starts_m, ends_m = (np.array([getattr(build[part], end) for part in _USED]) for end in ("start_m", "end_m"))
-    joints = [skeleton.index[build[part].joint] for part in _USED]
+    joints = np.array([skeleton.index[build[part].joint] for part in _USED], dtype=np.intp)
     return joints, np.stack((starts_m, ends_m - starts_m))[:, :, None]
 
 
@@ -235,18 +257,41 @@ def _compared_joints(skeleton: Skeleton) -> frozenset[int]:
     return frozenset(found)
 
 
-def _nearest(
-    along: FloatArray, other: FloatArray, apart: FloatArray, squared: tuple[FloatArray, FloatArray]
-) -> tuple[FloatArray, FloatArray]:
-    """The nearest points of two segments with directions `along` and `other` (…, 3), as shares of each, given the
-    difference `apart` of their starts and the `squared` lengths of both (Ericson, Real-Time Collision Detection,
-    §5.1.9)."""
-    (a, e), b = squared, _dot(along, other)
-    c, f = _dot(along, apart), _dot(other, apart)
-    parallel = np.maximum(a * e - b * b, 1e-12)
-    on_limb = _as_share((b * f - c * e) / parallel)
+@dataclass(frozen=True, slots=True, eq=False)
+class _Nearest:
+    """Where the segments of the pairs are nearest: `depth_m` there (P, F), the points as shares of both (P, F), and
+    from the other's to the limb's `apart_m`; with the directions of limb and other, and from where the other begins to
+    where the limb does, all (3, P, F), since NumPy is faster with each of x, y and z by itself."""
+
+    depth_m: FloatArray
+    on_limb: FloatArray
+    on_other: FloatArray
+    apart_m: FloatArray
+    along_m: FloatArray
+    other_m: FloatArray
+    between_m: FloatArray
+
+
+def _nearest(skeleton: Skeleton, body: PosedBody, frames: NDArray[np.intp] | None) -> _Nearest:
+    """The nearest points of each pair (Ericson, Real-Time Collision Detection, §5.1.9) in the frames with these
+    numbers, or in all."""
+    starts_m, lines_m = _lines(skeleton, body, frames)
+    between_m = starts_m.take(_LIMB_COLUMN, axis=1) - starts_m.take(_OTHER_COLUMN, axis=1)
+    along_m, other_m = lines_m.take(_LIMB_COLUMN, axis=1), lines_m.take(_OTHER_COLUMN, axis=1)
+    (a, e), b = _squared_lengths(skeleton), _sum(along_m * other_m)
+    c, f = _sum(along_m * between_m), _sum(other_m * between_m)
+    on_limb = _as_share((b * f - c * e) / np.maximum(a * e - b * b, 1e-12))
     on_other = _as_share((b * on_limb + f) / e)
-    return _as_share((b * on_other - c) / a), on_other
+    on_limb = _as_share((b * on_other - c) / a)
+    apart_m = between_m + on_limb * along_m - on_other * other_m
+    depth_m = radii_m(skeleton)[:, None] - np.sqrt(_sum(apart_m * apart_m))
+    return _Nearest(depth_m, on_limb, on_other, apart_m, along_m, other_m, between_m)
+
+
+def _sum(parts: FloatArray) -> FloatArray:
+    """x + y + z (…) of (3, …)."""
+    x, y, z = parts
+    return np.asarray(x + y + z)
 
 
 def _as_share(place: FloatArray) -> FloatArray:

@@ -9,7 +9,7 @@ meaning.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -97,13 +97,12 @@ def clamp(skeleton: Skeleton, rotations: FloatArray) -> None:
         if _turns_less(turned, min(limit.free_deg for limit in alike.limits)):
             continue
         angles = alike.measured(turned)
-        for place in _passed(alike, angles):
-            limit, measured = alike.limits[place], angles[..., place, :]
-            within = np.minimum(np.maximum(measured, limit.lowest_deg), limit.highest_deg)
-            there = (np.abs(measured - within) > _TOLERATED_DEG).any(axis=-1)
-            joints = skeleton.chain(*limit.joints)
-            chain = [rotations[..., joint, :][there] for joint in joints]
-            rotations[..., joints[-1], :][there] = _brought_back(limit, chain, within[there])
+        within = np.minimum(np.maximum(angles, alike.lowest_deg), alike.highest_deg)
+        there = np.nonzero((np.abs(angles - within) > _TOLERATED_DEG).any(axis=-1))
+        if len(there[0]):
+            joints = _chains(skeleton, alike)[:, there[-1]]
+            chain = [rotations[*there[:-1], each] for each in joints]
+            rotations[*there[:-1], joints[-1]] = _brought_back(alike, chain, within[there], alike.mirrors[there[-1]])
 
 
 def _turns_less(rotation: FloatArray, degrees: float) -> bool:
@@ -112,19 +111,12 @@ def _turns_less(rotation: FloatArray, degrees: float) -> bool:
     return bool(np.abs(rotation[..., 3]).min(initial=1.0) > np.cos(np.radians(degrees / 2)))
 
 
-def _passed(alike: "_Alike", angles: FloatArray) -> NDArray[np.intp]:
-    """Which of the limits are passed anywhere in the angles (…, n, 3)."""
-    everywhere = tuple(range(angles.ndim - 2))
-    over = np.maximum(angles.max(axis=everywhere) - alike.highest_deg, alike.lowest_deg - angles.min(axis=everywhere))
-    return np.flatnonzero((over > _TOLERATED_DEG).any(axis=-1))
-
-
-def _brought_back(limit: JointLimit, chain: Sequence[FloatArray], within_deg: FloatArray) -> FloatArray:
-    """The rotation (…, 4) of the last of the chain's joints with which its angles (…, 3) are those within the
-    limit."""
-    within = _joined(limit, within_deg)
-    if limit.joints[0].startswith("right"):
-        within = within * MIRROR
+def _brought_back(
+    alike: "_Alike", chain: Sequence[FloatArray], within_deg: FloatArray, mirrors: FloatArray
+) -> FloatArray:
+    """The rotations (M, 4) of the last joints of chains (M, 4) with which their angles (M, 3) are those within the
+    limits; `mirrors` (M, 4) makes them those of the left side."""
+    within: FloatArray = _joined(alike.limits[0], within_deg) * mirrors
     *above, last = chain
     for rotation in above:
         within = multiply(inverse(rotation), within)
@@ -135,21 +127,19 @@ def swing_twist_deg(rotation: FloatArray, bone: int) -> FloatArray:
     """Swing-twist decomposition: rotations (…, 4) as three angles in degrees, the twist on the axis `bone`, the swing's
     rotation vector on the others."""
     one, other = (bone + 1) % 3, (bone + 2) % 3
-    w, along, a, b = rotation[..., 3], rotation[..., bone], rotation[..., one], rotation[..., other]
+    parts = np.ascontiguousarray(np.moveaxis(rotation, -1, 0))  # NumPy is faster with each of them by itself
+    w, along, a, b = parts[3], parts[bone], parts[one], parts[other]
     size, bent = np.sqrt(w * w + along * along), np.sqrt(a * a + b * b)
-    twist = 2 * np.arctan2(np.where(w < 0, -along, along), np.abs(w))
     scale = np.where(bent > _NEAR_ZERO, 2 * np.arctan2(bent, size) / np.maximum(bent, _NEAR_ZERO), 2.0)
     scale /= np.maximum(size, _NEAR_ZERO)
-    angles = np.empty((*rotation.shape[:-1], 3))
-    angles[..., bone], angles[..., one], angles[..., other] = (
-        twist,
-        scale * (a * w - b * along),
-        scale * (b * w + a * along),
-    )
+    angles = np.empty((3, *rotation.shape[:-1]))
+    angles[bone] = 2 * np.arctan2(np.where(w < 0, -along, along), np.abs(w))
+    angles[one] = scale * (a * w - b * along)
+    angles[other] = scale * (b * w + a * along)
     if size.min(initial=1.0) <= _NEAR_ZERO:
         turned_over = size <= _NEAR_ZERO
-        angles[turned_over, one], angles[turned_over, other] = np.pi * a[turned_over], np.pi * b[turned_over]
-    return np.degrees(angles, out=angles)
+        angles[one, turned_over], angles[other, turned_over] = np.pi * a[turned_over], np.pi * b[turned_over]
+    return np.moveaxis(np.degrees(angles, out=angles), 0, -1)
 
 
 def shoulder_deg(orientation: FloatArray) -> FloatArray:
@@ -210,11 +200,17 @@ def _group(limits: tuple[JointLimit, ...], columns: list[int]) -> _Alike:
 def _turned(skeleton: Skeleton, alike: _Alike, rotations: FloatArray) -> FloatArray:
     """The rotations (…, n, 4) of the chains of limits that are measured in the same way, on the left or as on the
     left."""
-    first, *others = zip(*(skeleton.chain(*limit.joints) for limit in alike.limits), strict=True)
+    first, *others = _chains(skeleton, alike)
     rotation = rotations.take(first, axis=-2)
     for joints in others:
         rotation = multiply(rotation, rotations.take(joints, axis=-2))
-    return rotation * alike.mirrors
+    return np.asarray(rotation * alike.mirrors)
+
+
+@lru_cache(maxsize=64)
+def _chains(skeleton: Skeleton, alike: _Alike) -> NDArray[np.intp]:
+    """The joints (length, n) of the chains. Cached; never mutated."""
+    return np.array([skeleton.chain(*limit.joints) for limit in alike.limits], dtype=np.intp).T
 
 
 def _joined(limit: JointLimit, angles_deg: FloatArray) -> FloatArray:

@@ -6,23 +6,23 @@ been added: trunk, steps, follow-through of the hands, collision avoidance. The 
 it, so that the sum of all layers, and of the clock that eases in and out, respects the limit.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import lru_cache, reduce
 from math import ceil, radians
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...model import FloatArray, Hand
+from ...model import FloatArray
 from ..arms.posing import ARM_ROWS, wrists_of
+from ..body.contacts import PosedBody
 from ..body.motion import BodyMotion
-from ..body.skeleton import Skeleton, arm_joints, forward
+from ..body.skeleton import HANDS, Skeleton
 from ..geometry.curves import smoothed
 from ..geometry.rotations import angle_between, dot, inverse, keep_signs, multiply, normalized, rotate, within_speed
 
-Wrists = Callable[[Sequence[FloatArray], slice], FloatArray]
-"""Computes the positions (2, F, 3) of the wrists of a left and a right arm (F, 19, 4) in these frames."""
+Wrists = Callable[[FloatArray, slice], FloatArray]
+"""Computes the positions (2, F, 3) of the wrists of a left and a right arm (F, 2, 19, 4) in these frames."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,67 +51,57 @@ _NEAR = 0.15
 """The share of fast frames in the neighbourhood of a frame from which on it is smoothed fully."""
 _BESIDE_S = 0.6
 """Frames farther than this from every fast frame are beyond the reach of both smoothings and are skipped."""
-_TRUNK, _NECK = ("hips", "spine", "chest", "upperChest"), ("neck", "head")
 
 
-def calm(skeleton: Skeleton, arms: Sequence[FloatArray], times_s: FloatArray) -> FloatArray:
-    """Smooth the left and the right arm (T, 19, 4), in place, around frames above the limits for arms alone. Returns
-    the resulting positions of the wrists (2, T, 3). The first and the last pose are unchanged."""
-    return _calmed(arms, times_s, lambda some, _frames: wrists_of(skeleton, *some), BY_THEMSELVES)
+def calm(skeleton: Skeleton, arms: FloatArray, times_s: FloatArray) -> FloatArray:
+    """Smooth the left and the right arm (T, 2, 19, 4), in place, around frames above the limits for arms alone. Returns
+    the resulting positions of the wrists (2, T, 3) from their own sides. The first and the last pose are unchanged."""
+    wrists_m = _calmed(arms, times_s, lambda some, _frames: wrists_of(skeleton, some), BY_THEMSELVES)
+    wrists_m[1, :, 0] *= -1.0
+    return wrists_m
 
 
-def calm_arms(skeleton: Skeleton, body: BodyMotion) -> bool:
-    """Smooth the body's arms, in place, around frames above the limits in the world. Returns whether there are any."""
-    arms = [body.rotations[:, skeleton.rows(*arm_joints(side))] for side in (Hand.LEFT, Hand.RIGHT)]
-    wrists = _carried(skeleton, body)
-    if not _fast(wrists(arms, slice(None)), arms, _step_s(body.times_s), IN_THE_WORLD).any():
+def calm_arms(skeleton: Skeleton, body: BodyMotion, posed: PosedBody | None = None) -> bool:
+    """Smooth the body's arms, in place, around frames above the limits in the world. Returns whether there are any.
+    `posed`, where its joints are, need not be given."""
+    posed = posed or PosedBody.carrying(skeleton, body.rotations, body.hips_m)
+    arms, wrists_m = skeleton.arms(body.rotations), posed.positions_m.swapaxes(0, 1)[skeleton.chain(*HANDS)]
+    if not _fast(wrists_m, arms, _step_s(body.times_s), IN_THE_WORLD).any():
         return False
-    for arm in arms:
-        keep_signs(arm)
-    _calmed(arms, body.times_s, wrists, IN_THE_WORLD)
+    keep_signs(arms)
+    _calmed(arms, body.times_s, _carried(skeleton, posed), IN_THE_WORLD)
     return True
 
 
-def calm_head(skeleton: Skeleton, body: BodyMotion) -> bool:
-    """Keep the body's head within the limit in the world, in place. Returns whether it was above it."""
+def calm_head(skeleton: Skeleton, body: BodyMotion, posed: PosedBody | None = None) -> bool:
+    """Keep the body's head within the limit in the world, in place. Returns whether it was above it. `posed`, where its
+    joints are, need not be given."""
     step_s = _step_s(body.times_s)
-    chest, over_chest = (_product(skeleton, body, names) for names in (_TRUNK, _NECK))
-    turned = multiply(chest, over_chest)
+    posed = posed or PosedBody.carrying(skeleton, body.rotations, body.hips_m)
+    chest, turned = (posed.orientations[:, joint] for joint in skeleton.chain("upperChest", "head"))
     if (np.abs(dot(turned[1:], turned[:-1])) >= np.cos(FASTEST_HEAD_RAD_S * step_s / 2)).all():
         return False
     left = FASTEST_HEAD_RAD_S - angle_between(chest[1:], chest[:-1]) / step_s
+    neck, head = skeleton.chain("neck", "head")
+    over_chest = multiply(body.rotations[:, neck], body.rotations[:, head])
     calm = within_speed(over_chest, step_s, np.maximum(left, _OWN_SHARE * FASTEST_HEAD_RAD_S))
-    neck, head = skeleton.chain(*_NECK)
     body.rotations[:, head] = multiply(inverse(body.rotations[:, neck]), calm)
     return True
 
 
-def _product(skeleton: Skeleton, body: BodyMotion, names: Sequence[str]) -> FloatArray:
-    """The rotation (T, 4) that a chain of joints adds up to."""
-    first, *others = (body.rotations[:, joint] for joint in skeleton.chain(*names))
-    return reduce(multiply, others, first)
-
-
-def _carried(skeleton: Skeleton, body: BodyMotion) -> Wrists:
+def _carried(skeleton: Skeleton, posed: PosedBody) -> Wrists:
     """The positions of the wrists in the world, for arms attached to this body's chest."""
-    at_m, turned = forward(skeleton, body.rotations, body.hips_m, _trunk(skeleton))
     chest = skeleton.index["upperChest"]
-    upright_m = np.sum(skeleton.offsets_m[skeleton.chain(*_TRUNK[1:])], axis=0)
-    across = np.array([[[1.0, 1.0, 1.0]], [[-1.0, 1.0, 1.0]]])
+    upright_m = np.sum(skeleton.offsets_m[skeleton.chain("spine", "chest", "upperChest")], axis=0)
 
-    def wrists(arms: Sequence[FloatArray], frames: slice) -> FloatArray:
-        out_m = wrists_of(skeleton, *arms) * across - upright_m
-        return np.asarray(at_m[frames, chest] + rotate(turned[frames, chest], out_m))
+    def wrists(arms: FloatArray, frames: slice) -> FloatArray:
+        out_m = wrists_of(skeleton, arms) - upright_m
+        return np.asarray(posed.positions_m[frames, chest] + rotate(posed.orientations[frames, chest], out_m))
 
     return wrists
 
 
-@lru_cache(maxsize=64)
-def _trunk(skeleton: Skeleton) -> frozenset[int]:
-    return frozenset(skeleton.chain(*_TRUNK))
-
-
-def _calmed(arms: Sequence[FloatArray], times_s: FloatArray, wrists: Wrists, fastest: FastestArms) -> FloatArray:
+def _calmed(arms: FloatArray, times_s: FloatArray, wrists: Wrists, fastest: FastestArms) -> FloatArray:
     """Smooth both arms in place; returns the resulting positions of the wrists."""
     step_s = _step_s(times_s)
     wrists_m = wrists(arms, slice(None))
@@ -121,12 +111,13 @@ def _calmed(arms: Sequence[FloatArray], times_s: FloatArray, wrists: Wrists, fas
             break
         free = _free(times_s, fast[0] | fast[1])[:, None, None]
         for part in _stretches(fast[0] | fast[1], ceil(_BESIDE_S / step_s)):
-            for arm, quick in zip(arms, fast[:, part], strict=True):
+            for side, quick in enumerate(fast[:, part]):
+                arm = arms[part, side]
                 near = smoothed(quick.astype(float)[:, None], _AROUND_S / step_s)
                 weight = np.clip(near / _NEAR, 0.0, 1.0)[:, :, None]
-                calmer = smoothed(arm[part], _CALMER_S / step_s)
-                arm[part] = normalized(arm[part] + free[part] * weight * (calmer - arm[part]))
-            wrists_m[:, part] = wrists([arm[part] for arm in arms], part)
+                calmer = smoothed(arm, _CALMER_S / step_s)
+                arm[...] = normalized(arm + free[part] * weight * (calmer - arm))
+            wrists_m[:, part] = wrists(arms[part], part)
     return wrists_m
 
 
@@ -144,16 +135,15 @@ def _step_s(times_s: FloatArray) -> float:
     return float(times_s[1] - times_s[0]) if len(times_s) > 1 else 1.0
 
 
-def _fast(wrists_m: FloatArray, arms: Sequence[FloatArray], step_s: float, fastest: FastestArms) -> NDArray[np.bool_]:
+def _fast(wrists_m: FloatArray, arms: FloatArray, step_s: float, fastest: FastestArms) -> NDArray[np.bool_]:
     """Whether each arm is too fast between a frame and the next (2, T)."""
     found = np.zeros(wrists_m.shape[:2], dtype=bool)
     steps_m = wrists_m[:, 1:] - wrists_m[:, :-1]
     found[:, :-1] = dot(steps_m, steps_m)[..., 0] > (fastest.wrist_m_s * step_s) ** 2
     least = np.cos(fastest.joint_rad_s * step_s / 2)
-    for arm, fast in zip(arms, found, strict=True):
-        rows = arm[:, fastest.rows]
-        cosines = np.einsum("tjq,tjq->jt", rows[1:], rows[:-1])
-        fast[:-1] |= (np.abs(cosines, out=cosines) < least).any(axis=0)
+    rows = arms[:, :, fastest.rows]
+    cosines = np.einsum("tajq,tajq->jat", rows[1:], rows[:-1])
+    found[:, :-1] |= (np.abs(cosines, out=cosines) < least).any(axis=0)
     return found
 
 

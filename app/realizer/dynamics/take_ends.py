@@ -11,8 +11,9 @@ eyes: they move as fast as eyes can already.
 import numpy as np
 
 from ...model import FloatArray
+from ..body.contacts import PosedBody
 from ..body.motion import BodyMotion
-from ..body.skeleton import Skeleton, as_far_as_hands, forward
+from ..body.skeleton import HANDS, Skeleton
 from ..geometry.rotations import length, nearest_sign, normalized
 
 _STANDS_S = 0.02
@@ -43,10 +44,10 @@ def _behind_s(from_end_s: FloatArray, span_s: float, stands_s: float) -> FloatAr
     return np.asarray(np.minimum(from_end_s, span_s) - moves_s * made_up)
 
 
-def ease_ends(skeleton: Skeleton, body: BodyMotion, over_s: float) -> bool:
+def ease_ends(skeleton: Skeleton, body: BodyMotion, over_s: float, posed: PosedBody | None = None) -> bool:
     """Bring the body to rest in its first and last frames, in place. Returns whether it was not: it is left as it is if
-    its wrists are at rest, or `over_s` is 0."""
-    if not over_s or not _moves_at_an_end(skeleton, body):
+    its wrists are at rest, or `over_s` is 0. `posed`, where its joints are, need not be given."""
+    if not over_s or not _moves_at_an_end(skeleton, body, posed):
         return False
     times_s = body.times_s
     eased_s = eased_at_the_ends(times_s, over_s, _BODY_STANDS_S)
@@ -68,13 +69,13 @@ def _between(one: FloatArray, other: FloatArray, share: FloatArray) -> FloatArra
     return np.asarray(one + share * (other - one))
 
 
-def _moves_at_an_end(skeleton: Skeleton, body: BodyMotion) -> bool:
+def _moves_at_an_end(skeleton: Skeleton, body: BodyMotion, posed: PosedBody | None) -> bool:
     """Whether a wrist moves between the first or the last frames, of a film as slow as any."""
     step_s = float(body.times_s[1] - body.times_s[0])
     steps = min(max(int(_BODY_STANDS_S / step_s), 1), len(body.times_s) - 1)
     inwards = np.arange(steps + 1)
     frames = np.stack((inwards, len(body.times_s) - 1 - inwards))
-    at_m, _turned = forward(skeleton, body.rotations[frames], body.hips_m[frames], as_far_as_hands(skeleton))
-    wrists_m = at_m[..., skeleton.chain("leftHand", "rightHand"), :]
+    posed = posed or PosedBody.carrying(skeleton, body.rotations, body.hips_m)
+    wrists_m = posed.positions_m[frames[..., None], skeleton.chain(*HANDS)]
     way_m = length(wrists_m[:, 1:] - wrists_m[:, :1])[..., 0].max(axis=2)
     return bool(np.any(way_m > _AT_REST_M_S * step_s * inwards[1:]))

@@ -17,6 +17,8 @@ from .curves import minimum_jerk
 _LARGEST = 2.0**64
 _GOLDEN = 0.618033988749895
 """Its multiples modulo 1 are spread evenly over [0, 1), however many there are."""
+_KNOWN = 64
+"""The points of a lattice whose slopes are kept: those of half a minute to a minute and a half."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +51,7 @@ def perlins(times_s: FloatArray, *kinds: Noise) -> FloatArray:
     below = np.floor(at)
     first = int(below.min(initial=0))
     last = int(below.max(initial=0)) + 1
-    slopes = _slopes(np.arange(first, last + 1), lattice.hashed)
+    slopes = lattice.slopes_of(first, last)
     share = at - below
     row = (below - first).astype(np.int64)
     if row.shape[1] == 1:
@@ -57,7 +59,7 @@ def perlins(times_s: FloatArray, *kinds: Noise) -> FloatArray:
     else:
         row *= slopes.shape[1]
         row += np.arange(slopes.shape[1])
-        left, right = slopes.take(row), slopes.ravel()[slopes.shape[1] :].take(row)
+        left, right = slopes.take(row), slopes[1:].take(row)
     left *= share
     right *= share - 1.0
     right -= left
@@ -69,11 +71,18 @@ def perlins(times_s: FloatArray, *kinds: Noise) -> FloatArray:
 @dataclass(frozen=True, slots=True, eq=False)
 class _Lattice:
     """Lattice points per second and shift of each channel (C,), or (1,) where they are the same for all; where the hash
-    of each channel begins (C,)."""
+    of each channel begins (C,), and the slopes (`_KNOWN`, C) at the points from 0 on."""
 
     frequency_hz: FloatArray
     shift: FloatArray
     hashed: NDArray[np.uint64]
+    known: FloatArray
+
+    def slopes_of(self, first: int, last: int) -> FloatArray:
+        """Slopes (points, C) at the lattice points from the first to the last."""
+        if first >= 0 and last < _KNOWN:
+            return self.known[first : last + 1]
+        return _slopes(np.arange(first, last + 1), self.hashed)
 
 
 @lru_cache(maxsize=64)
@@ -84,7 +93,7 @@ def _lattice(kinds: tuple[Noise, ...]) -> _Lattice:
     hashed = np.concatenate([_of_channels(kind.seed, kind.channels) for kind in kinds])
     if not shift.any() and (frequency_hz == frequency_hz[0]).all():
         frequency_hz, shift = frequency_hz[:1], shift[:1]
-    return _Lattice(frequency_hz, shift, hashed)
+    return _Lattice(frequency_hz, shift, hashed, _slopes(np.arange(_KNOWN), hashed))
 
 
 def _slopes(points: NDArray[np.int64], hashed: NDArray[np.uint64]) -> FloatArray:

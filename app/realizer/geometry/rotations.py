@@ -38,6 +38,18 @@ def multiply(a: FloatArray, b: FloatArray) -> FloatArray:
     return product.view(np.float64)
 
 
+def multiply_parts(a: FloatArray, b: FloatArray) -> FloatArray:
+    """`multiply` of rotations whose parts are four arrays (4, …) of the same shape, one after the other in memory: for
+    thousands of rotations at once several times as fast."""
+    (ax, ay, az, aw), (bx, by, bz, bw) = a, b
+    product = np.empty(b.shape)
+    product[0] = aw * bx + ax * bw + ay * bz - az * by
+    product[1] = aw * by - ax * bz + ay * bw + az * bx
+    product[2] = aw * bz + ax * by - ay * bx + az * bw
+    product[3] = aw * bw - ax * bx - ay * by - az * bz
+    return product
+
+
 def turn_about_z(q: FloatArray, angle: FloatArray) -> None:
     """Turn `q` (…, 4) by the angles (…) about their own z axes, in place: as `multiply` by such rotations, but with one
     product of complex numbers. Raises ValueError for quaternions whose parts are not side by side in memory."""
@@ -306,9 +318,10 @@ def _at_most_as_far(start: list[float], end: list[float], angle: float) -> list[
 
 
 def at_times(rotations: FloatArray, times_s: FloatArray, at_s: FloatArray) -> FloatArray:
-    """The rotations (T, 4) of frames at `times_s` as they are at other times (T,), between frames along the chord."""
+    """The rotations (T, …, 4) of frames at `times_s` as they are at other times (T,), between frames along the
+    chord."""
     place = np.interp(at_s, times_s, np.arange(len(times_s)))
     before = np.minimum(place.astype(int), len(times_s) - 2)
-    share = (place - before)[:, None]
+    share = (place - before).reshape(-1, *(1,) * (rotations.ndim - 1))
     one = rotations[before]
     return normalized(one + share * (nearest_sign(rotations[before + 1], one) - one))

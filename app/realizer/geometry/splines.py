@@ -21,8 +21,8 @@ from ...model import FloatArray
 from .rotations import (
     from_rotation_vector,
     inverse,
-    length,
     multiply,
+    multiply_parts,
     sine_and_cosine,
     to_rotation_vector,
     with_continuous_signs,
@@ -59,9 +59,9 @@ class _Turn:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Splines:
-    """Curves made ready to be evaluated; segment k is that from key k to the next, and those between the last key of
-    one curve and the first of the next are meaningless. `firsts` and `column` are the first key of each curve, and the
-    curve of each key."""
+    """Curves made ready to be evaluated: `keys` (4, N), one part after the other. Segment k is that from key k to the
+    next, and those between the last key of one curve and the first of the next are meaningless. `firsts` and `column`
+    are the first key of each curve, and the curve of each key."""
 
     times_s: FloatArray
     keys: FloatArray
@@ -78,37 +78,36 @@ def splines(curves: Curves) -> Splines:
     lasts = np.cumsum(curves.counts) - 1
     keys, spans_s = with_continuous_signs(curves.keys), np.diff(curves.times_s)
     spans_s[lasts[:-1]] = 1.0
-    turns = _turns(keys, spans_s[:, None], curves.shape, lasts)
-    sizes = [length(turn) for turn in turns]
+    turns = _turns(keys, spans_s, curves.shape.T, lasts)
+    sizes = [_length(turn) for turn in turns]
     return Splines(
         times_s=curves.times_s,
-        keys=keys,
+        keys=np.ascontiguousarray(keys.T),
         spans_s=spans_s,
-        turns=tuple(
-            _Turn(np.ascontiguousarray((turn / np.maximum(size, 1e-12)).T), 0.5 * size[:, 0])
-            for turn, size in zip(turns, sizes, strict=True)
-        ),
-        turning=np.sum(sizes, axis=0)[:, 0] > _STILL,
+        turns=tuple(_Turn(turn / np.maximum(size, 1e-12), 0.5 * size) for turn, size in zip(turns, sizes, strict=True)),
+        turning=sizes[0] + sizes[1] + sizes[2] > _STILL,
         firsts=lasts - curves.counts + 1,
         column=np.repeat(np.arange(len(lasts)), curves.counts),
     )
 
 
 def rotations_at(curves: Splines, times_s: FloatArray) -> FloatArray:
-    """The rotations (T, C, 4) of the curves at increasing `times_s` (T,)."""
+    """The rotations (T, C, 4) of the curves at increasing `times_s` (T,). In memory they are the four parts, of each
+    the curves, one frame after another, since NumPy is several times as fast with what lies together."""
     segment = _segments(curves, times_s)
-    found = curves.keys.take(segment, axis=0)
+    found = curves.keys.take(segment, axis=1)
     moving = np.flatnonzero(curves.turning.take(segment))
-    segment, times_s = segment.ravel().take(moving), times_s.take(moving // len(curves.firsts))
+    segment, times_s = segment.ravel().take(moving), times_s.take(moving % len(times_s))
     share = (times_s - curves.times_s.take(segment)) / curves.spans_s.take(segment)
     share = np.minimum(np.maximum(share, 0.0), 1.0)
     left, squared = 1 - share, share * share
     weights = (1 - left * left * left, squared * (3 - 2 * share), squared * share)
-    way = found.reshape(-1, 4).take(moving, axis=0).T
+    each = found.reshape(4, -1)
+    way = each.take(moving, axis=1)
     for turn, weight in zip(curves.turns, weights, strict=True):
-        way = _product(way, _parts_of_turns(turn, segment, weight))
-    found.reshape(-1, 4)[moving] = way.T
-    return found
+        way = multiply_parts(way, _parts_of_turns(turn, segment, weight))
+    each[:, moving] = way
+    return found.transpose(2, 1, 0)
 
 
 def _of_two_keys(curves: Curves) -> Curves:
@@ -123,47 +122,57 @@ def _of_two_keys(curves: Curves) -> Curves:
 
 
 def _segments(curves: Splines, times_s: FloatArray) -> NDArray[np.intp]:
-    """The index (T, C) of the last key that each curve has passed: never its last, and its first from the beginning."""
+    """The index (C, T) of the last key that each curve has passed: never its last, and its first from the beginning."""
     inner = np.ones(len(curves.times_s), dtype=bool)
     inner[curves.firsts] = inner[curves.firsts - 1] = False
-    passed = np.zeros((len(times_s) + 1, len(curves.firsts)), dtype=np.intp)
-    passed[0] = curves.firsts
-    np.add.at(passed, (times_s.searchsorted(curves.times_s[inner]), curves.column[inner]), 1)
-    return np.asarray(passed[:-1].cumsum(axis=0))
+    passed = np.zeros((len(curves.firsts), len(times_s) + 1), dtype=np.intp)
+    passed[:, 0] = curves.firsts
+    np.add.at(passed, (curves.column[inner], times_s.searchsorted(curves.times_s[inner])), 1)
+    return np.asarray(passed[:, :-1].cumsum(axis=1))
 
 
 def _turns(
     keys: FloatArray, spans_s: FloatArray, shape: FloatArray, lasts: NDArray[np.intp]
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """The three rotation vectors (N-1, 3) of each segment's Bézier curve, for the concatenated keys (N, 4) of all
-    curves; those between the last key of one curve and the first of the next are meaningless."""
+    """The three rotation vectors (3, N-1) of each segment's Bézier curve, for the concatenated keys (N, 4) of all
+    curves and their shape (3, N); those between the last key of one curve and the first of the next are
+    meaningless."""
     step = multiply(inverse(keys[:-1]), keys[1:])
-    leaving, arriving = _tangents(to_rotation_vector(step), spans_s, shape)
-    leaving[lasts[:-1] + 1] = 0.0
-    arriving[lasts[:-1] - 1] = 0.0
-    first, third = leaving * spans_s / 3, arriving * spans_s / 3
-    onwards = multiply(from_rotation_vector(-first), multiply(step, from_rotation_vector(-third)))
-    return first, to_rotation_vector(onwards), third
+    leaving, arriving = _tangents(np.ascontiguousarray(to_rotation_vector(step).T), spans_s, shape)
+    leaving[:, lasts[:-1] + 1] = 0.0
+    arriving[:, lasts[:-1] - 1] = 0.0
+    first, third = leaving * (spans_s / 3), arriving * (spans_s / 3)
+    back, ahead = from_rotation_vector(np.stack((first.T, third.T)) * -1.0)
+    onwards = multiply(back, multiply(step, ahead))
+    return first, np.ascontiguousarray(to_rotation_vector(onwards).T), third
 
 
 def _tangents(steps: FloatArray, spans_s: FloatArray, shape: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Velocities (N-1, 3) at which each segment leaves its first key and arrives at its second.
+    """Velocities (3, N-1) at which each segment leaves its first key and arrives at its second.
 
     Kochanek & Bartels's equations 8 and 9 weigh the differences before and after a key; divided by the mean of the two
     spans they are velocities, equal on both sides of a key with continuity 0.
     """
-    tension, continuity, bias = (shape[1:-1, part, None] for part in range(3))
-    before, after = steps[:-1], steps[1:]
+    tension, continuity, bias = shape[:, 1:-1]
+    before, after = steps[:, :-1], steps[:, 1:]
     scale = (1 - tension) / (spans_s[:-1] + spans_s[1:])
-    leaving = scale * ((1 + bias) * (1 + continuity) * before + (1 - bias) * (1 - continuity) * after)
-    arriving = scale * ((1 + bias) * (1 - continuity) * before + (1 - bias) * (1 + continuity) * after)
-    most = _MOST_SLOPE * np.minimum(length(before / spans_s[:-1]), length(after / spans_s[1:]))
-    at_rest = np.zeros((1, 3))
-    return np.concatenate([at_rest, _at_most(leaving, most)]), np.concatenate([_at_most(arriving, most), at_rest])
+    of_before, of_after = scale * (1 + bias), scale * (1 - bias)
+    most = _length(steps) / spans_s
+    most = _MOST_SLOPE * np.minimum(most[:-1], most[1:])
+    found = np.zeros((2, *steps.shape))
+    found[0, :, 1:] = _at_most(of_before * (1 + continuity) * before + of_after * (1 - continuity) * after, most)
+    found[1, :, :-1] = _at_most(of_before * (1 - continuity) * before + of_after * (1 + continuity) * after, most)
+    return found[0], found[1]
 
 
 def _at_most(vector: FloatArray, longest: FloatArray) -> FloatArray:
-    return np.asarray(vector * np.minimum(1.0, longest / np.maximum(length(vector), 1e-12)))
+    return np.asarray(vector * np.minimum(1.0, longest / np.maximum(_length(vector), 1e-12)))
+
+
+def _length(vector: FloatArray) -> FloatArray:
+    """The lengths (N,) of vectors (3, N)."""
+    x, y, z = vector
+    return np.asarray(np.sqrt(x * x + y * y + z * z))
 
 
 def _parts_of_turns(turn: _Turn, segment: NDArray[np.intp], weight: FloatArray) -> FloatArray:
@@ -175,14 +184,3 @@ def _parts_of_turns(turn: _Turn, segment: NDArray[np.intp], weight: FloatArray) 
     sine, found[3] = sine_and_cosine(half)
     np.multiply(turn.axes.take(segment, axis=1), sine, out=found[:3])
     return found
-
-
-def _product(a: FloatArray, b: FloatArray) -> FloatArray:
-    """`rotations.multiply` of (4, M)."""
-    (ax, ay, az, aw), (bx, by, bz, bw) = a, b
-    product = np.empty_like(b)
-    product[0] = aw * bx + ax * bw + ay * bz - az * by
-    product[1] = aw * by - ax * bz + ay * bw + az * bx
-    product[2] = aw * bz + ax * by - ay * bx + az * bw
-    product[3] = aw * bw - ax * bx - ay * by - az * bz
-    return product

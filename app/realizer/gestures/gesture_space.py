@@ -57,17 +57,24 @@ DEPTH_M: Mapping[Depth, float] = MappingProxyType({Depth.NEAR: 0.20, Depth.MIDDL
 NEAREST_M = 0.10
 """An amplitude brings no wrist nearer to the body than this, unless its gesture does so by itself."""
 
-_CENTRE_M = np.array([SIDEWAYS_M[Sideways.C], HEIGHT[HeightSector.CC] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[Depth.MIDDLE]])
+_UP_M = {height: share * SHOULDERS_ABOVE_HIPS_M for height, share in HEIGHT.items()}
+_CENTRE_M = np.array([SIDEWAYS_M[Sideways.C], _UP_M[HeightSector.CC], DEPTH_M[Depth.MIDDLE]])
 
 
 def sector_m(place: SectorPlace, amplitude: float = 1.0) -> FloatArray:
     """The wrist's position (3,) for a place: outwards, above the hips, away. `amplitude` scales its distance from the
     centre, but a larger movement is not one into the chest."""
-    sector = SIDEWAYS_M[place.sideways], HEIGHT[place.height] * SHOULDERS_ABOVE_HIPS_M, DEPTH_M[place.depth]
-    unscaled_m = np.array(sector) + np.array(place.offset_m)
-    scaled_m = _CENTRE_M + amplitude * (unscaled_m - _CENTRE_M)
-    scaled_m[2] = max(scaled_m[2], min(unscaled_m[2], NEAREST_M))
-    return np.asarray(scaled_m)
+    x_m, y_m, z_m = place.offset_m
+    out_m, up_m, away_m = _CENTRE_M.tolist()
+    x_m, y_m, z_m = x_m + SIDEWAYS_M[place.sideways], y_m + _UP_M[place.height], z_m + DEPTH_M[place.depth]
+    scaled_m = away_m + amplitude * (z_m - away_m)
+    return np.array(
+        (
+            out_m + amplitude * (x_m - out_m),
+            up_m + amplitude * (y_m - up_m),
+            max(scaled_m, min(z_m, NEAREST_M)),
+        )
+    )
 
 
 def offset_from_centre_m(wrist_m: FloatArray, amplitude: float) -> tuple[float, float, float]:

@@ -158,7 +158,7 @@ def apply_gaze(
     `targets_m` has the world positions of targets; any other target is the other person (`LISTENER_M`).
     """
     times_s, from_m = body.times_s, eyes_in_t_pose_m(skeleton)
-    before = (1 - schedule.stillness) * _elsewhere(np.random.default_rng(seed + 8))
+    before = (1 - schedule.stillness) * _elsewhere(seed)
     line, head, trunk = _courses(times_s, gaze_targets(schedule, from_m, targets_m, before=before))
     rotations, joints = body.rotations, skeleton.rows(*TRUNK)
     rotations[:, joints] = multiply(rotations[:, joints], from_axis_angle(_UPWARDS, trunk / len(TRUNK))[:, None])
@@ -193,8 +193,11 @@ def _shared_out(carrying: Chest, head: FloatArray) -> tuple[FloatArray, FloatArr
     return neck, multiply(inverse(neck), over_chest)
 
 
-def _elsewhere(generator: np.random.Generator) -> FloatArray:
-    """Pitch and yaw (2,) of a place beside the listener, a little down."""
+@lru_cache(maxsize=64)
+def _elsewhere(seed: int) -> FloatArray:
+    """Pitch and yaw (2,) of a place beside the listener, a little down. Cached, since most lines have the same seed;
+    never mutated."""
+    generator = np.random.default_rng(seed + 8)
     side = float(generator.choice([-1.0, 1.0]))
     return np.asarray(np.radians(OPENING_DEGREES) * generator.uniform(0.5, 1.0, 2) * [1.0, side])
 
@@ -215,6 +218,9 @@ PARTS = np.radians([[0.0, 1.2], [0.0, -1.2], [1.3, 0.2]])
 SHORTEST_S, MEAN_S = 0.3, 1.1
 """Fixation durations: the first is a minimum, the rest is drawn from an exponential distribution."""
 
+_FIXATIONS_AT_ONCE = 64
+"""Drawn together: some 20 s of them at the shortest."""
+
 DRIFT_DEGREES, DRIFT_HZ = 0.3, 1.7
 
 
@@ -225,12 +231,19 @@ def saccade_s(angle: FloatArray) -> FloatArray:
 
 def fixation_offsets(times_s: FloatArray, *, seed: int) -> FloatArray:
     """Pitch and yaw (T, 2) relative to the target's centre; deterministic for a seed."""
-    when, where = (np.random.default_rng(each) for each in np.random.SeedSequence(seed).spawn(2))
     count = int((times_s[-1] - times_s[0]) / SHORTEST_S) + 2
-    starts_s = times_s[0] + np.cumsum(SHORTEST_S + when.exponential(MEAN_S - SHORTEST_S, count))
-    steps = where.integers(1, len(PARTS), count + 1)
-    parts = PARTS[np.cumsum(steps) % len(PARTS)]
-    by = np.diff(parts, axis=0)
+    starts_s, parts = _fixations(seed, -(-count // _FIXATIONS_AT_ONCE) * _FIXATIONS_AT_ONCE)
+    starts_s, parts = times_s[0] + starts_s[:count], parts[: count + 1]
+    by = parts[1:] - parts[:-1]
     drift = perlin(times_s, frequency_hz=DRIFT_HZ, seed=seed + 5, channels=2, in_step=False)
     jumps = superposed_movements(times_s, starts_s, saccade_s(np.linalg.norm(by, axis=-1)), by)
     return np.asarray(parts[0] + jumps + np.radians(DRIFT_DEGREES) * drift)
+
+
+@lru_cache(maxsize=64)
+def _fixations(seed: int, count: int) -> tuple[FloatArray, FloatArray]:
+    """When so many fixations begin, from the first frame on, and where (count + 1, 2) the eyes are before and in each.
+    Cached, since most lines have the same seed; never mutated."""
+    when, where = (np.random.default_rng(each) for each in np.random.SeedSequence(seed).spawn(2))
+    starts_s = np.cumsum(SHORTEST_S + when.exponential(MEAN_S - SHORTEST_S, count))
+    return starts_s, PARTS[np.cumsum(where.integers(1, len(PARTS), count + 1)) % len(PARTS)]

@@ -78,6 +78,9 @@ DEFAULT_AMOUNT = 0.5
 PHASE_SHIFT = np.radians(35.0)
 """How far the neck leads the head in the middle of a movement."""
 
+_AHEAD: FloatArray = np.array([0.5, -0.5])
+"""By which shares of that neck and head are ahead of the movement."""
+
 DECAY = 0.65
 """The size of each nod relative to the one before."""
 
@@ -103,18 +106,18 @@ class MovementTimes:
     end_s: float
 
 
-def movement_angles(times_s: FloatArray, behavior: Behavior, *, ahead: float) -> FloatArray:
-    """Pitch, yaw and roll (T, 3) of either neck or head, at frames within the movement. Its phase leads by the share
-    `ahead` of `PHASE_SHIFT` in the middle."""
+def movement_angles(times_s: FloatArray, behavior: Behavior, *, ahead: FloatArray) -> FloatArray:
+    """Pitch, yaw and roll (T, N, 3) of joints at frames within the movement. Its phase leads by the shares `ahead` (N,)
+    of `PHASE_SHIFT` in the middle."""
     movement, waves, course = MOVEMENTS[behavior.lexeme], cycle_count(behavior), course_of(behavior)
-    turned = np.zeros((len(times_s), 3))
+    turned = np.zeros((len(times_s), len(ahead), 3))
     if any(movement.nods):
-        turned += np.outer(_nodding(_phase(times_s, course, waves, np.pi, ahead), waves), movement.nods)
+        turned += _nodding(_phase(times_s, course, waves, np.pi, ahead), waves)[..., None] * movement.nods
     if any(movement.swings):
-        turned += np.outer(_swinging(_phase(times_s, course, waves, np.pi / 2, ahead), waves), movement.swings)
+        turned += _swinging(_phase(times_s, course, waves, np.pi / 2, ahead), waves)[..., None] * movement.swings
     if any(movement.held):
         held = plateau(times_s, course.start_s, course.stroke_s, course.relax_s, course.end_s)
-        turned += np.outer(held, movement.held)
+        turned += held[:, None, None] * movement.held
     return turned * radians(_amount(behavior) / 2)
 
 
@@ -149,20 +152,23 @@ def cycle_count(behavior: Behavior) -> int:
 
 
 def limited_speed(turned: FloatArray, frame_s: float) -> FloatArray:
-    """The same curve (T, 3), reduced in size where it would exceed the greatest speed of a wave."""
-    speed = length(turned[1:] - turned[:-1]).max(initial=0.0) / frame_s
-    return np.asarray(turned * (FASTEST_WAVE_RAD_S / max(speed, FASTEST_WAVE_RAD_S)))
+    """The same curves (T, N, 3), each reduced in size where it would exceed the greatest speed of a wave."""
+    speeds = length(turned[1:] - turned[:-1]).max(axis=0, initial=0.0) / frame_s
+    return np.asarray(turned * (FASTEST_WAVE_RAD_S / np.maximum(speeds, FASTEST_WAVE_RAD_S)))
 
 
-def _phase(times_s: FloatArray, course: MovementTimes, waves: int, first_extreme: float, ahead: float) -> FloatArray:
-    """The phase from 0 at the start to 2π × `waves` at the end, with an extreme at the stroke; it leads by the share
-    `ahead` of `PHASE_SHIFT` in the middle. After `first_extreme`, extremes are π apart in swings and 2π in nods."""
+def _phase(
+    times_s: FloatArray, course: MovementTimes, waves: int, first_extreme: float, ahead: FloatArray
+) -> FloatArray:
+    """The phases (T, N) from 0 at the start to 2π × `waves` at the end, with an extreme at the stroke; they lead by the
+    shares `ahead` (N,) of `PHASE_SHIFT` in the middle. After `first_extreme`, extremes are π apart in swings and 2π in
+    nods."""
     last = 2 * np.pi * waves
     between = np.pi if first_extreme < np.pi else 2 * np.pi
     even = last * (course.stroke_s - course.start_s) / (course.end_s - course.start_s)
     extreme = first_extreme + between * min(max(round((even - first_extreme) / between), 0), round(last / between) - 1)
     phase = np.interp(times_s, [course.start_s, course.stroke_s, course.end_s], [0.0, extreme, last])
-    return np.asarray(phase + ahead * PHASE_SHIFT * np.sin(np.pi * phase / last) ** 2)
+    return np.asarray(phase[:, None] + np.sin(np.pi * phase[:, None] / last) ** 2 * (PHASE_SHIFT * ahead))
 
 
 def _nodding(phase: FloatArray, waves: int) -> FloatArray:
@@ -211,13 +217,13 @@ def apply_head_movements(
     joints, eyes, trunk = skeleton.chain("neck", "head"), skeleton.chain(*EYES), skeleton.rows(*TRUNK)
     seen_m = _seen_m(skeleton, body) if seen_m is None else seen_m
     waiting_s = waiting_for_words(times_s, schedule.words)
-    neck, skull = (at_times(rotations[:, joint], times_s, waiting_s) for joint in joints)
+    before = at_times(rotations[:, skeleton.rows("neck", "head")], times_s, waiting_s)
     idle = head_attitude(times_s, schedule, seed=seed)
     trunk_s = times_s if trunk_s is None else trunk_s
     share = from_pitch_yaw_roll(*(np.interp(trunk_s, times_s, angle) / len(TRUNK) for angle in idle.trunk.T))
     rotations[:, trunk] = multiply(rotations[:, trunk], share[:, None])
-    neck_turn, head_turn = _turns(times_s, schedule, idle)
-    neck, skull = multiply(neck, from_pitch_yaw_roll(*neck_turn.T)), multiply(skull, from_pitch_yaw_roll(*head_turn.T))
+    turned = multiply(before, from_pitch_yaw_roll(*np.moveaxis(_turns(times_s, schedule, idle), -1, 0)))
+    neck, skull = turned[:, 0], turned[:, 1]
     over_chest = within_speed(within_neck_limits(multiply(neck, skull)), frame_s, FASTEST_RAD_S)
     neck = multiply(neck, from_axis_angle(_PITCH, idle.forward))
     skull = multiply(inverse(neck), over_chest)
@@ -235,26 +241,27 @@ def _seen_m(skeleton: Skeleton, body: BodyMotion) -> FloatArray:
     return fixation_point_m(where, body.rotations.take(skeleton.chain(*EYES), axis=1))
 
 
-def _turns(times_s: FloatArray, schedule: Schedule, idle: HeadAttitude) -> tuple[FloatArray, FloatArray]:
-    """Pitch, yaw and roll (T, 3) that neck and head turn beyond the gaze."""
+def _turns(times_s: FloatArray, schedule: Schedule, idle: HeadAttitude) -> FloatArray:
+    """Pitch, yaw and roll (T, 2, 3) that neck and head turn beyond the gaze."""
     movements = [
         each for each in schedule.behaviors if each.kept and each.kind is Channel.HEAD and each.lexeme in MOVEMENTS
     ]
+    turned = np.empty((len(times_s), 2, 3))
     calm = _calm(times_s, movements)[:, None]
-    held = idle.held / 2
-    neck_turn, head_turn = held + calm * idle.neck, held + calm * idle.head
+    np.multiply(calm, idle.neck, out=turned[:, 0])
+    np.multiply(calm, idle.head, out=turned[:, 1])
+    turned += idle.held[:, None] / 2
     for movement in movements:
-        _add(times_s, movement, neck_turn, head_turn)
-    return neck_turn, head_turn
+        _add(times_s, movement, turned)
+    return turned
 
 
-def _add(times_s: FloatArray, behavior: Behavior, neck_turn: FloatArray, head_turn: FloatArray) -> None:
-    """Add the movement to pitch, yaw and roll (T, 3) of neck and head."""
+def _add(times_s: FloatArray, behavior: Behavior, turned: FloatArray) -> None:
+    """Add the movement to pitch, yaw and roll (T, 2, 3) of neck and head."""
     course = course_of(behavior)
     first, last = np.searchsorted(times_s, [course.start_s, course.end_s])
     during, frame_s = slice(max(first - 1, 0), last + 1), float(times_s[1] - times_s[0])
-    for turned, ahead in ((neck_turn, 0.5), (head_turn, -0.5)):
-        turned[during] += limited_speed(movement_angles(times_s[during], behavior, ahead=ahead), frame_s)
+    turned[during] += limited_speed(movement_angles(times_s[during], behavior, ahead=_AHEAD), frame_s)
 
 
 def _calm(times_s: FloatArray, movements: Sequence[Behavior]) -> FloatArray:

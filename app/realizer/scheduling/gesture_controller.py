@@ -17,7 +17,6 @@ Conventions: metres in the world; times are the plan's.
 """
 
 from collections.abc import Iterator
-from functools import lru_cache
 
 import numpy as np
 
@@ -27,11 +26,11 @@ from ..arms.interpolation import set_arms
 from ..body.limits import MIRROR
 from ..body.motion import BodyMotion
 from ..body.movement_style import StrokeLife
-from ..body.skeleton import Skeleton, arm_joints, as_far_as_hands, forward
+from ..body.skeleton import Skeleton, as_far_as_hands, forward
 from ..dynamics.calming import calm
 from ..dynamics.dragging import drag
 from ..dynamics.take_ends import eased_at_the_ends
-from ..geometry.curves import minimum_jerk, plateau, smooth
+from ..geometry.curves import minimum_jerk, plateau
 from ..geometry.rotations import (
     cross,
     dot,
@@ -39,7 +38,6 @@ from ..geometry.rotations import (
     inverse,
     length,
     multiply,
-    normalize,
     normalized,
     rotate,
 )
@@ -117,18 +115,17 @@ def apply_gestures(
     seed: int,
     noise_scale: float = 1.0,
     accents: AccentCourse | None = None,
+    eased_s: FloatArray | None = None,
 ) -> BodyMotion:
     """The body, changed in place, with the plan's arm motion, and the trunk following it and its `accents`.
-    Deterministic for a seed. `noise_scale` (0 to 1) scales the arms' noise."""
-    rows = [_arm_rows(skeleton, side) for side in SIDES]
-    collarbones = [joints.start for joints in rows]
+    Deterministic for a seed. `noise_scale` (0 to 1) scales the arms' noise. `eased_s` (T,), the times of the plan's
+    poses for the body's frames, need not be given."""
+    arms, collarbones = skeleton.arms(body.rotations), skeleton.chain("leftShoulder", "rightShoulder")
     breath = _breath(body.rotations.take(collarbones, axis=1))
-    arms = [body.rotations[:, joints] for joints in rows]
     tracks = [arm_track(skeleton, side, plan) for side in SIDES]
-    eased_s = eased_at_the_ends(body.times_s, plan.style.ends.eased_s)
-    set_arms(arms, tracks, eased_s, seed=seed, noise_scale=noise_scale)
-    for arm in arms:
-        _smooth(arm, body.times_s)
+    eased_s = eased_at_the_ends(body.times_s, plan.style.ends.eased_s) if eased_s is None else eased_s
+    width = _MUSCLE_S / float(body.times_s[1] - body.times_s[0]) if len(body.times_s) > 1 else 0.0
+    set_arms(arms, tracks, eased_s, seed=seed, noise_scale=noise_scale, width=width)
     wrists_m = calm(skeleton, arms, body.times_s)
     drag(arms, wrists_m, body.times_s, plan.style.dragging, seed=seed, life=noise_scale)
     follow_with_trunk(skeleton, body, wrists_m, accents)
@@ -138,14 +135,9 @@ def apply_gestures(
     return body
 
 
-@lru_cache(maxsize=64)
-def _arm_rows(skeleton: Skeleton, side: Hand) -> slice:
-    return skeleton.rows(*arm_joints(side))
-
-
-def accents_of(plan: GesturePlan, times_s: FloatArray, life: StrokeLife, *, scale: float) -> AccentCourse:
-    """What the plan's strokes do to the trunk; `scale` (0 to 1) is 1 - stillness."""
-    eased_s = eased_at_the_ends(times_s, plan.style.ends.eased_s)
+def accents_of(plan: GesturePlan, eased_s: FloatArray, life: StrokeLife, *, scale: float) -> AccentCourse:
+    """What the plan's strokes do to the trunk by a clock that is eased at the ends (T,); `scale` (0 to 1) is 1 -
+    stillness."""
     return accent_course(eased_s, list(_accents(plan)), life, scale=scale)
 
 
@@ -158,13 +150,6 @@ def _accents(plan: GesturePlan) -> Iterator[Accent]:
         yield Accent(markers.stroke_start, markers.stroke, strength, arm.side)
         for repeat in placed.repeats:
             yield Accent(repeat.start_s, repeat.end_s, strength * repeat.amplitude, arm.side)
-
-
-def _smooth(rotations: FloatArray, times_s: FloatArray) -> None:
-    """Take from rotations (T, …, 4), in place, the steps in acceleration that splines have at their keys."""
-    if len(times_s) > 1:
-        smooth(rotations, _MUSCLE_S / float(times_s[1] - times_s[0]))
-        normalize(rotations)
 
 
 def _breath(collarbones: FloatArray) -> FloatArray:

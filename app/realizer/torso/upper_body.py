@@ -80,7 +80,9 @@ _HANGS, _WHOLLY = 0.80, 0.95
 """The drop of the upper arm, as a share of its length, from which on and at which it counts as hanging."""
 _STRAIGHT = 0.85
 """The share of the ribs' tilt for which a hanging arm is compensated."""
-_UP, _OUT, _FORWARD = np.array([0.0, 1.0, 0.0]), np.array([1.0, 0.0, 0.0]), (0.0, 0.0, 1.0)
+_FORWARD = (0.0, 0.0, 1.0)
+_INWARDS: FloatArray = np.array([-1.0, 1.0])
+"""Along x, to the left, in the left and the right arm's own space."""
 
 
 def with_hanging_arms(skeleton: Skeleton, body: BodyMotion) -> BodyMotion:
@@ -89,20 +91,26 @@ def with_hanging_arms(skeleton: Skeleton, body: BodyMotion) -> BodyMotion:
     chest = rotations[:, 0]
     for joint in skeleton.chain(*_TRUNK[1:]):
         chest = multiply(chest, rotations[:, joint])
-    up = rotate(chest, _UP)
-    tilt = np.arctan2(up[:, 0], up[:, 1])
-    for side, sign in zip(SIDES, (1.0, -1.0), strict=True):
-        collarbone, arm = skeleton.chain(f"{side}Shoulder", f"{side}UpperArm")
-        carrying = multiply(chest, rotations[:, collarbone])
-        turned = multiply(carrying, rotations[:, arm])
-        straight = from_axis_angle(_FORWARD, _STRAIGHT * tilt * _hanging(rotate(turned, sign * _OUT)))
-        rotations[:, arm] = multiply(inverse(carrying), multiply(straight, turned))
+    tilt = np.arctan2(*_up(chest)[:2])
+    arms = skeleton.arms(rotations)
+    carrying = multiply(chest[:, None], arms[:, :, 0])
+    turned = multiply(carrying, arms[:, :, 1])
+    straight = from_axis_angle(_FORWARD, _STRAIGHT * tilt[:, None] * _hanging(turned))
+    arms[:, :, 1] = multiply(inverse(carrying), multiply(straight, turned))
     return body
 
 
-def _hanging(along: FloatArray) -> FloatArray:
-    """How much arms in these directions (T, 3) hang (T,): 0 to 1."""
-    share = np.clip((-along[:, 1] - _HANGS) / (_WHOLLY - _HANGS), 0.0, 1.0)
+def _up(q: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Where rotations (…, 4) take the y axis: x, y and z, each (…)."""
+    x, y, z, w = (q[..., part] for part in range(4))
+    return 2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)
+
+
+def _hanging(upper_arms: FloatArray) -> FloatArray:
+    """How much a left and a right arm with these orientations (T, 2, 4) hang (T, 2): 0 to 1."""
+    x, y, z, w = (upper_arms[..., part] for part in range(4))
+    down = _INWARDS * (2 * (x * y + w * z))
+    share = np.minimum(np.maximum((down - _HANGS) / (_WHOLLY - _HANGS), 0.0), 1.0)
     return np.asarray(share * share * (3 - 2 * share))
 
 
@@ -115,15 +123,17 @@ _FRAMES_AT_ONCE = 2048
 def with_hands_on_pelvis(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan) -> BodyMotion:
     """The body, changed in place, with the hands that rest on hips or in pockets carried by the pelvis, whatever the
     ribs do."""
+    rests = [rest for rest in plan.rests if resting(rest.pose, rest.side).on_pelvis]
+    if not rests:
+        return body
     times_s = eased_at_the_ends(body.times_s, plan.style.ends.eased_s)
     pushes_m = np.zeros((len(SIDES), len(times_s), 3))
-    for rest in plan.rests:
-        if resting(rest.pose, rest.side).on_pelvis:
-            begins_s, ends_s = rest.start_s - _SETTLES_S, rest.end_s + _SETTLES_S
-            share = plateau(times_s, begins_s, rest.start_s, rest.end_s, ends_s)
-            frames = np.flatnonzero(share)
-            carried_m = share[frames, None] * _carried_m(skeleton, body, rest, frames)
-            pushes_m[SIDES.index(rest.side), frames] += carried_m
+    for rest in rests:
+        begins_s, ends_s = rest.start_s - _SETTLES_S, rest.end_s + _SETTLES_S
+        share = plateau(times_s, begins_s, rest.start_s, rest.end_s, ends_s)
+        frames = np.flatnonzero(share)
+        carried_m = share[frames, None] * _carried_m(skeleton, body, rest, frames)
+        pushes_m[SIDES.index(rest.side), frames] += carried_m
     moved = np.flatnonzero(pushes_m.any(axis=(0, 2)))
     if not len(moved):
         return body

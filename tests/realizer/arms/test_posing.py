@@ -8,7 +8,15 @@ import pytest
 from understudy.model import FloatArray, Hand
 from understudy.model.figure import GestureManner
 from understudy.realizer.arms.arm_reach import ArmBones
-from understudy.realizer.arms.posing import WRIST_ROWS, arm_rotations, parts_of, pose_arm, pose_arms, wrist_of
+from understudy.realizer.arms.posing import (
+    WRIST_ROWS,
+    arm_rotations,
+    parts_of,
+    pose_arm,
+    pose_arms,
+    wrist_of,
+    wrists_of,
+)
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.limits import LIMITS, MIRROR, violations
 from understudy.realizer.body.skeleton import PARTS, Skeleton, arm_joints, forward
@@ -180,3 +188,11 @@ def test_a_manner_turns_elbows_out_and_bends_hands_back() -> None:
     assert np.degrees(angle_between(straight, bent)) == pytest.approx(15.0)
     limit = pose_arm(BODY, Hand.LEFT, ArmKey(place=key.place, wrist=STOP), manner=GestureManner(wrist_deg=20))
     assert not violations(BODY, whole(arm_rotations(limit.over(EASY).parts))).any()
+
+
+def test_wrists_of_both_arms_are_those_of_each_seen_from_the_left() -> None:
+    rotations = np.random.default_rng(0).normal(size=(6, 2, 19, 4))
+    rotations /= np.linalg.norm(rotations, axis=-1, keepdims=True)
+    wrists_m = wrists_of(BODY, rotations)
+    assert np.allclose(wrists_m[0], wrist_of(BODY, Hand.LEFT, rotations[:, 0]))
+    assert np.allclose(wrists_m[1] * [-1.0, 1.0, 1.0], wrist_of(BODY, Hand.RIGHT, rotations[:, 1]))

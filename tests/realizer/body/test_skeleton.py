@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from understudy.model import FloatArray
-from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton, forward
+from understudy.model import FloatArray, Hand
+from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton, arm_joints, forward
 from understudy.realizer.geometry.rotations import IDENTITY, from_axis_angle
 
 BODY = Skeleton.standing()
@@ -38,3 +38,17 @@ def test_an_elbow_bent_about_y_brings_the_hand_forward(side: str) -> None:
     at = positions({f"{side}LowerArm": from_axis_angle((0.0, 1.0, 0.0), np.array(angle))})
     elbow, hand = at[BODY.index[f"{side}LowerArm"]], at[BODY.index[f"{side}Hand"]]
     assert np.allclose(hand - elbow, [0, 0, 0.25])
+
+
+def test_both_arms_are_a_view_of_a_bodys_rotations_joint_by_joint() -> None:
+    rotations = np.random.default_rng(0).normal(size=(5, len(BODY.names), 4))
+    arms = BODY.arms(rotations)
+    for number, side in enumerate((Hand.LEFT, Hand.RIGHT)):
+        assert np.array_equal(arms[:, number], rotations[:, BODY.rows(*arm_joints(side))])
+    arms[2, 1, 3] = IDENTITY
+    assert np.array_equal(rotations[2, BODY.index["rightHand"]], IDENTITY)
+
+
+def test_arms_of_rotations_that_would_be_a_copy_are_refused() -> None:
+    with pytest.raises(ValueError, match="copy"):
+        BODY.arms(np.zeros((4, len(BODY.names), 5)).swapaxes(0, 2)[..., :4])

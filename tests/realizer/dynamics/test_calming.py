@@ -5,7 +5,7 @@ import numpy as np
 from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.motion import BodyMotion
-from understudy.realizer.body.skeleton import Skeleton, arm_joints, forward
+from understudy.realizer.body.skeleton import Skeleton, forward
 from understudy.realizer.dynamics.calming import calm, calm_arms, calm_head
 from understudy.realizer.geometry.rotations import IDENTITY, angle_between, from_axis_angle, multiply
 
@@ -13,47 +13,45 @@ RATE_HZ = 60
 FASTEST_M_S = 3.0
 
 
-def swinging(length_s: float) -> tuple[Skeleton, FloatArray, list[FloatArray]]:
+def swinging(length_s: float) -> tuple[Skeleton, FloatArray, FloatArray]:
     """An arm that swings by a right angle within a fifth of a second, from 1 s on."""
     skeleton, times_s = Skeleton.standing(), np.arange(0.0, length_s, 1 / RATE_HZ)
     swings = np.radians(90) * np.clip((times_s - 1.0) / 0.2, 0.0, 1.0)
-    arms = [
-        np.tile(rest_pose(skeleton, side, "at_side").rotations, (len(times_s), 1, 1))
-        for side in (Hand.LEFT, Hand.RIGHT)
-    ]
-    arms[1][:, 1] = multiply(from_axis_angle((1.0, 0.0, 0.0), -swings), arms[1][:, 1])
+    hanging = np.stack([rest_pose(skeleton, side, "at_side").rotations for side in (Hand.LEFT, Hand.RIGHT)])
+    arms = np.tile(hanging, (len(times_s), 1, 1, 1))
+    arms[:, 1, 1] = multiply(from_axis_angle((1.0, 0.0, 0.0), -swings), arms[:, 1, 1])
     return skeleton, times_s, arms
 
 
 def test_no_wrist_is_faster_than_hands_are() -> None:
     """An arm that swings by a right angle in a fifth of a second is calmed; its trunk will add its own speed."""
     skeleton, times_s, arms = swinging(2.0)
-    before = arms[1].copy()
+    before = arms[:, 1].copy()
     wrists_m = calm(skeleton, arms, times_s)
     assert np.linalg.norm(np.diff(wrists_m, axis=1), axis=2).max() * RATE_HZ < FASTEST_M_S
-    assert np.allclose(arms[1][[0, -1]], before[[0, -1]])
-    assert angle_between(arms[1], before)[abs(times_s - 1.05) > 0.5].max() < 1e-6
+    assert np.allclose(arms[[0, -1], 1], before[[0, -1]])
+    assert angle_between(arms[:, 1], before)[abs(times_s - 1.05) > 0.5].max() < 1e-6
 
 
 def test_what_is_far_from_a_fast_move_neither_changes_nor_changes_it() -> None:
     skeleton, times_s, arms = swinging(2.5)
     wrists_m = calm(skeleton, arms, times_s)
     skeleton, longer_s, longer = swinging(12.0)
-    before = longer[1].copy()
+    before = longer[:, 1].copy()
     assert np.allclose(calm(skeleton, longer, longer_s)[:, : len(times_s)], wrists_m, atol=1e-9)
-    assert np.array_equal(longer[1][len(times_s) :], before[len(times_s) :])
+    assert np.array_equal(longer[len(times_s) :, 1], before[len(times_s) :])
 
 
 def test_an_elbow_that_turns_too_fast_is_calmed_though_its_wrist_stays() -> None:
     """A quarter turn of the forearm about itself in a twentieth of a second."""
     skeleton, times_s, arms = swinging(2.0)
-    arms[1][:] = arms[1][0]
+    arms[:, 1] = arms[0, 1]
     turns = np.radians(90) * np.clip((times_s - 1.0) / 0.05, 0.0, 1.0)
-    arms[1][:, 2] = multiply(arms[1][:, 2], from_axis_angle((1.0, 0.0, 0.0), turns))
-    assert angle_between(arms[1][1:, 2], arms[1][:-1, 2]).max() * RATE_HZ > 20
+    arms[:, 1, 2] = multiply(arms[:, 1, 2], from_axis_angle((1.0, 0.0, 0.0), turns))
+    assert angle_between(arms[1:, 1, 2], arms[:-1, 1, 2]).max() * RATE_HZ > 20
     calm(skeleton, arms, times_s)
-    assert angle_between(arms[1][1:, 2], arms[1][:-1, 2]).max() * RATE_HZ < 18
-    assert angle_between(arms[1][-1, 2], arms[1][0, 2]) > np.radians(80)
+    assert angle_between(arms[1:, 1, 2], arms[:-1, 1, 2]).max() * RATE_HZ < 18
+    assert angle_between(arms[-1, 1, 2], arms[0, 1, 2]) > np.radians(80)
 
 
 def carried(length_s: float) -> tuple[Skeleton, BodyMotion]:
@@ -74,10 +72,9 @@ def wrist_speeds_m_s(skeleton: Skeleton, body: BodyMotion) -> FloatArray:
 
 def test_what_the_trunk_adds_to_the_speed_of_a_wrist_is_calmed_in_the_world() -> None:
     skeleton, body = carried(2.0)
-    by_itself = [body.rotations[:, skeleton.rows(*arm_joints(side))].copy() for side in (Hand.LEFT, Hand.RIGHT)]
+    by_itself = skeleton.arms(body.rotations).copy()
     wrists_m = calm(skeleton, by_itself, body.times_s)
-    rows = skeleton.rows(*arm_joints(Hand.RIGHT))
-    body.rotations[:, rows] = by_itself[1]
+    skeleton.arms(body.rotations)[:, 1] = by_itself[:, 1]
     assert np.linalg.norm(np.diff(wrists_m, axis=1), axis=2).max() * RATE_HZ < FASTEST_M_S
     assert wrist_speeds_m_s(skeleton, body).max() > FASTEST_M_S
     calmer = body.copy()
@@ -144,7 +141,7 @@ def test_a_head_that_the_trunk_makes_too_fast_comes_later_and_arrives() -> None:
 
 def test_an_arm_that_is_fast_as_the_take_ends_is_calmed_there() -> None:
     skeleton, times_s, arms = swinging(1.2)
-    before = arms[1].copy()
+    before = arms[:, 1].copy()
     wrists_m = calm(skeleton, arms, times_s)
     assert np.linalg.norm(np.diff(wrists_m, axis=1), axis=2).max() * RATE_HZ < FASTEST_M_S
-    assert np.allclose(arms[1][0], before[0])
+    assert np.allclose(arms[0, 1], before[0])

@@ -15,11 +15,11 @@ INDEX, LITTLE = 7, 16
 def peaks_s(rows: tuple[int, ...]) -> list[float]:
     """When each of these joints is bent most after a wrist that was fastest at 1 s."""
     times_s = np.arange(0.0, 2.0, 1 / RATE_HZ)
-    arms = [np.tile(IDENTITY, (len(times_s), 19, 1)) for _side in range(2)]
+    arms = np.tile(IDENTITY, (len(times_s), 2, 19, 1))
     wrists_m = np.zeros((2, len(times_s), 3))
     wrists_m[:, :, 1] = 0.3 * np.tanh((times_s - 1.0) / 0.1)
     drag(arms, wrists_m, times_s, load_realizer().style.dragging, seed=0, life=0.0)
-    bends = angle_between(arms[0][:, list(rows)], np.broadcast_to(IDENTITY, (len(times_s), len(rows), 4)))
+    bends = angle_between(arms[:, 0, list(rows)], np.broadcast_to(IDENTITY, (len(times_s), len(rows), 4)))
     return [float(times_s[at]) for at in bends.argmax(axis=0)]
 
 

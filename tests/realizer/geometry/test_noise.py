@@ -56,3 +56,11 @@ def test_kinds_of_noise_together_are_those_of_each_alone() -> None:
         for kind in kinds
     ]
     assert np.abs(perlins(TIMES_S, *kinds) - np.concatenate(alone, axis=1)).max() < 1e-12
+
+
+def test_noise_goes_on_beyond_the_lattice_points_whose_slopes_are_kept() -> None:
+    at_edge_s = 63.0 + np.arange(-40, 41) / 40
+    across = perlin(at_edge_s, frequency_hz=1.0, seed=4, channels=3)
+    halves = [perlin(part, frequency_hz=1.0, seed=4, channels=3) for part in (at_edge_s[:30], at_edge_s[30:])]
+    assert np.array_equal(across, np.concatenate(halves))
+    assert np.abs(np.diff(across, 2, axis=0)).max() < 0.02

@@ -31,6 +31,7 @@ def test_product_inverse_and_image_are_scipys() -> None:
     assert same(rotations.multiply(A.as_quat(), B.as_quat()), A * B)
     assert same(rotations.inverse(A.as_quat()), A.inv())
     assert np.allclose(rotations.rotate(A.as_quat(), VECTORS), A.apply(VECTORS))
+    assert same(rotations.multiply_parts(A.as_quat().T, B.as_quat().T).T, A * B)
 
 
 def test_rotation_vectors_go_there_and_back() -> None:

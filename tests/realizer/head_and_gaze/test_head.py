@@ -36,7 +36,7 @@ def test_a_nod_goes_as_often_as_asked_and_there_is_time_for(asked: int | None, e
 @pytest.mark.parametrize("lexeme", ["NOD", "SHAKE", "SWAY", "TOSS"])
 def test_waves_have_an_extreme_at_the_stroke_wherever_it_is(lexeme: str, stroke_s: float) -> None:
     wave = behavior(Channel.HEAD, lexeme, 1.0, 1.1, 1.1, stroke_s, 1.8, 1.8, 2.0, amount=1.0, repetitions=2)
-    both = movement_angles(DURING_S, wave, ahead=0.5) + movement_angles(DURING_S, wave, ahead=-0.5)
+    both = movement_angles(DURING_S, wave, ahead=np.array([0.5, -0.5])).sum(axis=1)
     axis = int(np.argmax(np.ptp(both, axis=0)))
     size = np.abs(both[:, axis])
     near = np.abs(DURING_S - stroke_s) < 0.04
@@ -60,13 +60,13 @@ def test_what_is_told_of_a_movement_is_when_it_was_made() -> None:
 
 @pytest.mark.parametrize("lexeme", sorted(MOVEMENTS))
 def test_every_movement_starts_and_ends_at_rest(lexeme: str) -> None:
-    course = movement_angles(DURING_S, behavior(Channel.HEAD, lexeme, 1.0, 2.0, amount=1.0), ahead=0.0)
+    course = movement_angles(DURING_S, behavior(Channel.HEAD, lexeme, 1.0, 2.0, amount=1.0), ahead=np.zeros(1))
     assert np.abs(course[[0, -1]]).max() < 1e-6
     assert np.abs(np.diff(course, axis=0))[[0, -1]].max() < 1e-4
 
 
 def test_what_is_too_fast_keeps_its_shape_and_gets_smaller() -> None:
-    course = np.sin(np.linspace(0, np.pi, 31))[:, None] * [1.0, 0.0, 0.0]
+    course = np.sin(np.linspace(0, np.pi, 31))[:, None, None] * [1.0, 0.0, 0.0]
     slower = limited_speed(course, 1 / 60)
     assert np.abs(np.diff(slower, axis=0)).max() * 60 == pytest.approx(FASTEST_WAVE_RAD_S, rel=0.01)
     assert np.allclose(slower / slower.max(), course / course.max())
