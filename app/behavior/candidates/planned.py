@@ -12,6 +12,7 @@ from functools import lru_cache
 from math import exp, log
 
 from ...model import Alternative, BehaviorCandidates, Channel, Moment, Movement, Term, Utterance
+from ..reading.conditions import lemmas_about
 from ..reading.families import OTHER_FAMILY, POINT, POINTINGS, Families, FamilyBehavior, family_rule, fitting, merged
 from ..reading.planning import Plan
 from ..reading.player import Player
@@ -21,8 +22,11 @@ from ..reading.worths import LineWorths, above_average
 LATER_CHOICE = 0.4
 """The worth of each further choice in a director's note, relative to the previous one."""
 
-ASKED_BY_LEMMA = 0.26
+ASKED_BY_LEMMA = Term("triggered by one of its words", 0.26)
 """What a word that asks for the very behaviour adds to its log-odds."""
+
+USUAL_POINTING = Term("the usual way of pointing", 0.26)
+"""What is added for a finger ahead, since the reading does not tell where a thing is."""
 
 MOST_ALTERNATIVES = 6
 STEEPNESS = 4.0
@@ -72,10 +76,11 @@ def _of_moment(
     player: Player, utterance: Utterance, moment: Moment, plan: Plan, supports: Sequence[Support]
 ) -> BehaviorCandidates | None:
     offered = _offered(player, moment, supports)
-    asking = {**dict(_asking(player, utterance, moment)), **dict.fromkeys(_mimed(moment, plan), False)}
+    suiting = _suiting(player, utterance, moment, plan)
     rated = {
-        name: _log_odds(player, moment, plan, name, offered.get(name)) + ASKED_BY_LEMMA * asking.get(name, False)
-        for name in (*asking, *offered)
+        name: _log_odds(player, moment, plan, name, offered.get(name))
+        + sum(term.weight for term in suiting.get(name, ()))
+        for name in (*suiting, *offered)
         if not player.banned(name, moment.first, moment.last)
     }
     behind = LEAST_BEHIND if _weighed(moment, plan) else -LEAST_ODDS
@@ -85,7 +90,7 @@ def _of_moment(
         Alternative(
             (
                 _movement(
-                    player, moment, name, support, _parts(player, moment, plan, name, support) + _by_lemma(asking, name)
+                    player, moment, name, support, _parts(player, moment, plan, name, support) + suiting.get(name, ())
                 ),
             ),
             weight=exp(STEEPNESS * (odds - best[0][1])),
@@ -105,19 +110,37 @@ def _mimed(moment: Moment, plan: Plan) -> Iterator[str]:
         yield from (mime.name for (word, _lexeme), mime in worths.mimes.items() if word == moment.stroke)
 
 
-def _asking(player: Player, utterance: Utterance, moment: Moment) -> Iterator[tuple[str, bool]]:
-    """The behaviours of the moment's families that suit it, and whether one of its words asks for each."""
-    tokens = utterance.parse.tokens
-    lemmas = frozenset(token.lemma.lower() for token in tokens if moment.first <= token.word <= moment.last)
-    for family in moment.families:
-        listed = _behaviors_of(player.families, moment.channel, family)
-        asking = {each.name for each in listed if each.lemmas}
-        for name in fitting(listed, lemmas, utterance.level):
-            yield name, name in asking
+def _suiting(player: Player, utterance: Utterance, moment: Moment, plan: Plan) -> dict[str, tuple[Term, ...]]:
+    """The behaviours that suit the moment, of its families, of the gesture for which its stroke was taken and of its
+    verb, each with what speaks for it beside its worth."""
+    lemmas, usual = lemmas_about(utterance, moment), _usual_pointing(player.families)
+    suiting: dict[str, tuple[Term, ...]] = {}
+    for behaviors in _listings(player, moment, plan):
+        asked = {each.name for each in behaviors if each.lemmas and each.fits(lemmas, utterance.level)}
+        for name in fitting(behaviors, lemmas, utterance.level):
+            suiting[name] = (ASKED_BY_LEMMA,) if name in asked else suiting.get(name, ())
+    if usual in suiting:
+        suiting[usual] = suiting[usual] or (USUAL_POINTING,)
+    return suiting | dict.fromkeys(_mimed(moment, plan), ())
 
 
-def _by_lemma(asking: Mapping[str, bool], name: str) -> tuple[Term, ...]:
-    return (Term("triggered by one of its words", ASKED_BY_LEMMA),) if asking.get(name) else ()
+def _usual_pointing(families: Families) -> str | None:
+    """How something is pointed at where neither words nor rules say where it is: as is listed first."""
+    return next((each.name for family in POINTINGS for each in families.gesture.get(family, ())), None)
+
+
+def _listings(player: Player, moment: Moment, plan: Plan) -> Iterator[Sequence[FamilyBehavior]]:
+    """The behaviours of each of the moment's families, and those of the gesture for which its stroke was taken."""
+    yield from (_behaviors_of(player.families, moment.channel, family) for family in moment.families)
+    best = _best_lexeme(moment, plan)
+    listed = (each for family in player.families.gesture.values() for each in family if each.name in player.behaviors)
+    yield [each for each in listed if best is not None and player.lexeme(each.name) == best]
+
+
+def _best_lexeme(moment: Moment, plan: Plan) -> str | None:
+    """The lexeme with the highest worth on the moment's stroke, if it was weighed."""
+    worths = _weighed(moment, plan)
+    return list(worths.lexemes)[int(worths.log_odds[moment.stroke].argmax())] if worths else None
 
 
 def _weighed(moment: Moment, plan: Plan) -> LineWorths | None:

@@ -163,7 +163,7 @@ def _fitted(movement: Movement, kept: TimeIndex, line: ChoiceContext, reason: st
     return outcome if isinstance(outcome, FittedBehavior) else None
 
 
-PLANNED_MORE = MappingProxyType({Level.LOW: 1.6, Level.MEDIUM: 1.6, Level.HIGH: 2.0})
+PLANNED_MORE = MappingProxyType({Level.LOW: 2.0, Level.MEDIUM: 2.2, Level.HIGH: 2.8})
 """Ideas crowd in some lines and are absent from others: a planned line may have this many times the usual gestures, and
 agitation drives the quantity (paper §1)."""
 

@@ -13,9 +13,11 @@ from math import exp, log
 from typing import TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...model import BehaviorCandidates, Channel, Function, Moment, RejectedAlternative, SingleArray, Term, Utterance
 from .choice_model import log_odds_of, worth_of
+from .conditions import possible_families, possible_lexemes
 from .decoding import USUAL_WORD_S, held, sentence_ends, spans_of, stretches_of, usual_times_s
 from .encoder import Delivery, Reading
 from .families import FamilyBehavior
@@ -216,8 +218,7 @@ def _worths(planner: Planner, reading: Reading, line: Understood, player: Player
     mimed = {place: mime for place, mime in _mimed_lexemes(mimes, player) if place[1] in planner.lexemes}
     for (word, lexeme), mime in mimed.items():
         total[word, planner.lexemes[lexeme]] += mime.part.weight
-    for column in _unplayable(planner, player):
-        total[:, column] = FORBIDDEN
+    total[~_playable(planner, player, utterance, (*supports, *mimed))] = FORBIDDEN
     for ban, lexemes in player.banned_lexemes():
         total[ban.first : ban.last + 1, [planner.lexemes[each] for each in lexemes if each in planner.lexemes]] = (
             FORBIDDEN
@@ -233,10 +234,17 @@ def _mimed_lexemes(mimes: Iterable[Mime], player: Player) -> Iterator[tuple[tupl
         yield from (((word, player.lexeme(mime.name)), mime) for word in range(mime.first, mime.last + 1))
 
 
-def _unplayable(planner: Planner, player: Player) -> list[int]:
-    """The columns of lexemes for which the character has no behaviour."""
+def _playable(
+    planner: Planner, player: Player, utterance: Utterance, asked: Iterable[tuple[int, str]]
+) -> NDArray[np.bool_]:
+    """The words and lexemes (W, L) for which the character has a behaviour that suits the words; those `asked` for by a
+    rule or a verb suit them."""
+    playable = possible_lexemes(planner.lexemes, player, utterance)
+    for word, lexeme in asked:
+        playable[word, planner.lexemes[lexeme]] = True
     own = player.lexemes()
-    return [column for lexeme, column in planner.lexemes.items() if lexeme not in own]
+    playable[:, [column for lexeme, column in planner.lexemes.items() if lexeme not in own]] = False
+    return playable
 
 
 def _supports(
@@ -257,17 +265,10 @@ def _supports(
 
 
 def _possible(planner: Planner, utterance: Utterance, mimes: Iterable[Mime]) -> SingleArray:
-    """Which families can be shown on each word (W, F), 0 or 1: some need a word nearby that says what to show."""
-    possible = np.ones((len(utterance.words), len(planner.choice.families)), np.float32)
-    for family, lemmas in planner.needed_lemmas.items():
-        if family in planner.choice.families:
-            place = planner.choice.families.index(family)
-            possible[:, place] = 0.0
-            for token in utterance.parse.tokens:
-                if token.lemma.lower() in lemmas:
-                    possible[max(0, token.word - NEAR) : token.word + NEAR + 1, place] = 1.0
+    """Which families can be shown on each word (W, F), 0 or 1."""
+    possible = possible_families(planner.needed_lemmas, planner.choice.families, utterance)
+    place = planner.choice.families.index(MIMED)
     for mime in mimes:
-        place = planner.choice.families.index(MIMED)
         possible[max(0, mime.first - NEAR) : mime.last + NEAR + 1, place] = 1.0
     return possible
 

@@ -15,7 +15,7 @@ from ...model import BehaviorCandidates, Function, Term
 OFFERED = 0.0
 PRIORITY_SCALE, USUAL_PRIORITY = 0.1, 3.0
 WEIGHT_SCALE, USUAL_WEIGHT = 0.5, 1.0
-GREAT_WEIGHT, GREAT_SCALE = 20.0, 3.0
+GREAT_WEIGHT, GREAT_SCALE = 20.0, 3.6
 """From the heaviest of our own rules on a weight counts by another scale. Nothing could fit it; it is set so that a
 weight of 100 is seen on most words, whatever the reading says, and 20 hardly (docs/choice.md)."""
 

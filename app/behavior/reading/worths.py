@@ -36,7 +36,7 @@ FOCUS_WEIGHT = 0.3
 LEAST_SHARE, MOST_SHARE = 0.25, 6.0
 """The focus counts between these multiples of an even share."""
 
-TEMPERATURE = 0.22
+TEMPERATURE = 0.27
 """The size of chance in log-odds: the scale of the logistic draws of every seed but 0, which takes the best set."""
 
 VARIETY = 6.0

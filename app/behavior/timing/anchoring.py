@@ -17,15 +17,20 @@ from ..idle.idle_behaviors import IdleBehavior
 from ..table.behavior_table import STROKED, Anchor, BehaviorEntry, BriefGesture, PhaseDuration
 from .phases import TimingBasis, Window, placed, soonest, underway
 
+MOVABLE = frozenset({Channel.HEAD, Channel.FACE})
+"""The channels on which a planned moment is meant for all of its words, and not for the one of a stroke."""
+
 
 @dataclass(frozen=True, slots=True)
 class PlacedBehavior:
-    """A behaviour with the basis of its timing; a gesture with its forms by hand, and with its brief variant."""
+    """A behaviour with the basis of its timing; a gesture with its forms by hand, and with its brief variant; a planned
+    head movement or face with the times of its other words, the nearest first, at which it may come instead."""
 
     behavior: Behavior
     basis: TimingBasis
     forms: Mapping[Hand, Forms] = field(default_factory=dict)
     brief: BriefGesture | None = None
+    elsewhere_s: tuple[float, ...] = ()
 
     @property
     def own_forms(self) -> Forms:
@@ -72,7 +77,14 @@ def asked(
     in_time = bool(words) and late_s <= LATEST_S
     behavior = _behavior(entry, name, sync, movement, reason=reason, kept=in_time)
     behavior = behavior if in_time else replace(behavior, limit=Limit.TIME)
-    return PlacedBehavior(behavior, basis, entry.forms, brief)
+    elsewhere_s = _elsewhere_s(words, at_s) if movement.moment and entry.channel in MOVABLE else ()
+    return PlacedBehavior(behavior, basis, entry.forms, brief, elsewhere_s)
+
+
+def _elsewhere_s(words: Sequence[Word], at_s: float) -> tuple[float, ...]:
+    """The stressed vowels of words but that at `at_s`, the nearest first."""
+    others_s = {floor(stressed_vowel_s(word) * 1000) / 1000 for word in words} - {floor(at_s * 1000) / 1000}
+    return tuple(sorted(others_s, key=lambda other_s: (abs(other_s - at_s), other_s)))
 
 
 def placed_idle(idle: IdleBehavior, entry: BehaviorEntry, name: str) -> PlacedBehavior:

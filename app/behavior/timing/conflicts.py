@@ -6,8 +6,9 @@ move, everything else channel by channel; a look aside, which turns the head, co
 that does not fit beside those taken before is shortened to the least durations of its phases; a look whose head is
 taken is made with the eyes alone. If that is not enough, the retraction of its predecessor is cut, and then its hold,
 which joins the two into one gesture unit (§3.8); a gesture may then come `EARLY_S` before its word, or its successor
-may begin later, or its stroke, and then its successor's, is made smaller and shorter. If that is not enough either, the
-candidate loses, with the winner's id and the reason.
+may begin later, or its stroke, and then its successor's, is made smaller and shorter. A planned head movement or face,
+which is meant for all of its words, may come on another of them. If that is not enough either, the candidate loses,
+with the winner's id and the reason.
 
 Between two gestures of a hand there is at least the time for the transition (`understudy.model.limits`),
 by which the realizer judges them too: what is kept can be played.
@@ -44,6 +45,8 @@ EARLY_S = 0.1
 """How much earlier than its word a gesture may be made to fit: a syllable."""
 
 BRIEFLY = "smaller and shorter than usual: there is too little time"
+
+ELSEWHERE = "on another of its words, to have time beside its neighbour"
 
 REACH_S = 5.0
 """Behaviours farther apart than this cannot affect each other: no transition takes half as long."""
@@ -83,7 +86,20 @@ def fitted(candidate: PlacedBehavior, kept: TimeIndex) -> FittedBehavior | Behav
             changed = [(each, _making_way(each, within)) for each in earlier]
             changed += [(each, _waiting(each, within)) for each in later]
             return FittedBehavior(within, kept.with_one_more(within, changed))
-    return beaten(candidate.behavior, neighbour)
+    return _elsewhere(candidate, kept) or beaten(candidate.behavior, neighbour)
+
+
+def _elsewhere(candidate: PlacedBehavior, kept: TimeIndex) -> FittedBehavior | None:
+    """The candidate on the nearest other of its words on which it fits; None where it fits on none or has none."""
+    for at_s in candidate.elsewhere_s:
+        basis = replace(candidate.basis, at_s=at_s)
+        sync = placed(basis, Window())
+        if sync is not None:
+            behavior = replace(candidate.behavior, sync=sync, reason=ELSEWHERE)
+            outcome = fitted(replace(candidate, behavior=behavior, basis=basis, elsewhere_s=()), kept)
+            if isinstance(outcome, FittedBehavior):
+                return outcome
+    return None
 
 
 def _near(candidate: PlacedBehavior, kept: TimeIndex) -> Kept:

@@ -99,7 +99,7 @@ def test_a_lexeme_or_a_family_is_demanded_by_its_name(
 
 def test_a_family_is_shown_by_the_behaviour_that_its_words_ask_for(understudy: Understudy) -> None:
     by = "the note always[0]"
-    for text, lexeme in (("It goes up behind us.", "OVER_SHOULDER"), ("It goes up before us.", "THERE")):
+    for text, lexeme in (("It goes up behind us.", "OVER_SHOULDER"), ("It goes up before us.", "POINT_FRONT")):
         demand = Demand("point_there", 3, 3, always=True, by=by)
         (asked, *_) = demanded(player(understudy), [demand], spoken(understudy, text).utterance)
         first = asked.alternatives[0].movements[0].name

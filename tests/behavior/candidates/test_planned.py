@@ -1,11 +1,12 @@
 """The behaviours offered for a moment, with a small hand-made table of families."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 import numpy as np
+import pytest
 
-from understudy.behavior.candidates.planned import LEAST_BEHIND, candidates_of
+from understudy.behavior.candidates.planned import ASKED_BY_LEMMA, LEAST_BEHIND, USUAL_POINTING, candidates_of
 from understudy.behavior.reading.choice_model import ChoiceModel
 from understudy.behavior.reading.families import Families, FamilyBehavior
 from understudy.behavior.reading.planning import Plan
@@ -120,6 +121,30 @@ def test_a_mime_is_offered_where_its_lemma_is_and_not_elsewhere() -> None:
     assert names(found)[0] == "drink"
     (found,) = candidates_of(PLAYER, utterance("you see it"), Plan((asked,)), [])
     assert names(found) == ["open_hand"]
+
+
+@pytest.mark.parametrize(("text", "triggered"), [("see it fall", {"wipe"}), ("see it go", set[str]())])
+def test_a_word_is_named_as_a_trigger_only_where_it_stands(text: str, triggered: set[str]) -> None:
+    """Though the behaviour is listed for any words as well."""
+    twice = (FamilyBehavior("wipe"), FamilyBehavior("away"), FamilyBehavior("wipe", frozenset(["fall"])))
+    families = replace(FAMILIES, gesture=MappingProxyType({"negation": twice}))
+    asked = moment("negation", shares=(0.6,))
+    (found,) = candidates_of(Player(families, BEHAVIORS), utterance(text), Plan((asked,)), [])
+    (*made,) = (each.movements[0] for each in found.alternatives)
+    assert {each.name for each in made if ASKED_BY_LEMMA in each.decided_by} == triggered
+
+
+def test_a_thing_that_nobody_places_is_pointed_at_as_is_listed_first() -> None:
+    pointings = {
+        "point_there": (FamilyBehavior("open_hand"), FamilyBehavior("away")),
+        "point_here": (FamilyBehavior("wipe"),),
+    }
+    shows = dict.fromkeys(FAMILIES.shows, ("point_there",))
+    families = replace(FAMILIES, gesture=MappingProxyType(pointings), shows=MappingProxyType(shows))
+    asked = moment("point", shares=(0.6,))
+    (found,) = candidates_of(Player(families, BEHAVIORS), utterance("see that tower"), Plan((asked,)), [])
+    assert names(found)[0] == "open_hand"
+    assert USUAL_POINTING in found.alternatives[0].movements[0].decided_by
 
 
 def test_what_a_rule_offers_for_these_words_goes_before_its_equals_and_names_rule_and_function() -> None:

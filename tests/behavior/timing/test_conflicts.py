@@ -82,6 +82,16 @@ def test_a_nod_at_a_more_important_look_aside_loses() -> None:
     assert (outcome["nod"].kept, outcome["nod"].lost_to) == (False, "look")
 
 
+def test_a_head_movement_without_time_at_its_word_comes_on_another_of_its_words() -> None:
+    nod, shake = candidate("nod", 2.0, 3, kind=Channel.HEAD), candidate("shake", 2.1, 5, kind=Channel.HEAD)
+    assert not resolved(nod, shake)["nod"].kept
+    outcome = resolved(replace(nod, elsewhere_s=(2.2, 3.0)), shake)
+    assert outcome["shake"] == shake.behavior
+    assert outcome["nod"].kept
+    assert outcome["nod"].sync.start < 3.0 < outcome["nod"].sync.end
+    assert outcome["nod"].reason == "on another of its words, to have time beside its neighbour"
+
+
 @pytest.mark.parametrize(("at_s", "direction"), [(6.0, "LEFT"), (2.1, None)], ids=["later", "at the listener"])
 def test_other_looks_leave_the_head_alone(at_s: float, direction: str | None) -> None:
     outcome = resolved(candidate("nod", 2.0, 5, kind=Channel.HEAD), look("look", at_s, 3, direction))
