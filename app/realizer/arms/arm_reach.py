@@ -13,6 +13,7 @@ import numpy as np
 from ...model import FloatArray
 from ..body.limits import within_shoulder_limits
 from ..body.skeleton import Skeleton
+from ..geometry.curves import clipped
 from ..geometry.rotations import (
     cross,
     dot,
@@ -113,7 +114,7 @@ def reach_by_elbow(bones: ArmBones, collarbone: FloatArray, wrist_m: FloatArray,
     asked_m = np.maximum(length(to_wrist), 1e-6)
     direction = to_wrist / asked_m
     shortest_m, longest_m = (_distance(bones, np.radians(flexion)) for flexion in (_MOST_BENT_DEG, _STRAIGHT_DEG))
-    return _bent(bones, collarbone, direction, np.clip(asked_m, shortest_m, longest_m), _across(elbow, direction))
+    return _bent(bones, collarbone, direction, clipped(asked_m, shortest_m, longest_m), _across(elbow, direction))
 
 
 def towards_elbow(upper_arm: FloatArray, elbow: FloatArray, bones: ArmBones) -> FloatArray:
@@ -190,9 +191,9 @@ def _distance(bones: ArmBones, flexion_rad: float) -> float:
 
 def _flexion(bones: ArmBones, distance_m: FloatArray) -> FloatArray:
     cosine = (distance_m**2 - bones.upper_m**2 - bones.lower_m**2) / (2 * bones.upper_m * bones.lower_m)
-    return np.asarray(np.arccos(np.clip(cosine, -1.0, 1.0)))
+    return np.asarray(np.arccos(clipped(cosine, -1.0, 1.0)))
 
 
 def _ease(share: FloatArray) -> FloatArray:
-    share = np.clip(share, 0.0, 1.0)
+    share = clipped(share, 0.0, 1.0)
     return np.asarray(share * share * (3.0 - 2.0 * share))

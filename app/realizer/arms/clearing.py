@@ -11,6 +11,7 @@ import numpy as np
 from ...model import FloatArray
 from ..body.contacts import BUILD, LIMBS, PAIRS, Contacts, PosedBody, contacts, radii_m
 from ..body.skeleton import SIDES, Skeleton
+from ..geometry.curves import clipped
 from ..geometry.rotations import angle_between, length
 from .displacements import Displacement, displaced, stretches
 
@@ -126,4 +127,4 @@ def _beyond(asked_m: FloatArray, given_m: FloatArray) -> FloatArray:
     """The part of `asked_m` that `given_m` does not already cover in its direction."""
     size_m = np.maximum(length(asked_m), 1e-12)
     done = np.sum(asked_m * given_m, axis=-1, keepdims=True) / size_m**2
-    return np.asarray(asked_m * np.clip(1 - done, 0.0, 1.0))
+    return np.asarray(asked_m * clipped(1 - done, 0.0, 1.0))

@@ -95,8 +95,9 @@ def kept_apart(skeleton: Skeleton, body: BodyMotion) -> tuple[Collisions, PosedB
         inside = depth_m.max(axis=1) > 0
         if not inside.any():
             break
+        moved_at = np.flatnonzero(around(inside, 2 * frames_in(body.times_s, _SWELLS_S[-1])))
         unsolved = _left_inside(skeleton, body, inside)
-        posed = PosedBody.carrying(skeleton, body.rotations, body.hips_m)
+        posed.update(skeleton, body.hips_m, moved_at)
         if not unsolved:
             break
         depth_m = depths_where_near_m(skeleton, body, posed)

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FloatArray
+from ..geometry.curves import clipped
 from ..geometry.rotations import cross, dot, rotate
 from .proportions import Proportions
 from .skeleton import HANDS, SIDES, Skeleton, forward, forward_again
@@ -109,6 +110,7 @@ _LIMB_COLUMN, _OTHER_COLUMN = (np.array([_USED.index(pair[end]) for pair in PAIR
 
 _CROSSING = np.array([float(BUILD[other].part in LIMBS) for _limb, other in PAIRS])
 _CENTRAL_M = 0.01
+_CARRYING = ("upperChest", "head", *HANDS)
 _BLOCK = 1_200
 """Frames compared at a time, to limit memory in long motions."""
 
@@ -151,19 +153,27 @@ class PosedBody:
 
     @classmethod
     def carrying(cls, skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> "PosedBody":
-        """The same; but of a long motion only the positions of chest and hands and the orientations of chest and head,
-        and all others at zero, to save memory."""
+        """The same; but of a long motion only chest, head and hands, and all others at zero, to save memory."""
         if len(rotations) <= _BLOCK:
             return cls.of(skeleton, rotations, hips_m)
         places_m, turned = (np.zeros((len(skeleton.names), len(rotations), size)) for size in (3, 4))
         for first in range(0, len(rotations), _BLOCK):
             block = slice(first, first + _BLOCK)
             posed = cls.of(skeleton, rotations[block], hips_m[block])
-            for joint in skeleton.chain("upperChest", *HANDS):
-                places_m[joint, block] = posed.positions_m[:, joint]
-            for joint in skeleton.chain("upperChest", "head"):
-                turned[joint, block] = posed.orientations[:, joint]
+            for joint in skeleton.chain(*_CARRYING):
+                places_m[joint, block], turned[joint, block] = posed.positions_m[:, joint], posed.orientations[:, joint]
         return cls(rotations, places_m.swapaxes(0, 1), turned.swapaxes(0, 1))
+
+    def update(self, skeleton: Skeleton, hips_m: FloatArray, frames: NDArray[np.intp]) -> None:
+        """Place the joints again, in place, in those frames (F,) whose local rotations have changed meanwhile; of a
+        long motion those that `carrying` places."""
+        placed = _compared_joints(skeleton) if len(self.rotations) <= _BLOCK else skeleton.chain(*_CARRYING)
+        joints = np.array(sorted(placed), dtype=np.intp)
+        for first in range(0, len(frames), _BLOCK):
+            block = frames[first : first + _BLOCK]
+            now = PosedBody.of(skeleton, self.rotations.take(block, axis=0), hips_m.take(block, axis=0))
+            for here, there in ((self.positions_m, now.positions_m), (self.orientations, now.orientations)):
+                here.swapaxes(0, 1)[joints[:, None], block] = there.swapaxes(0, 1)[joints]
 
     def with_arms(self, skeleton: Skeleton, rotations: FloatArray) -> "PosedBody":
         """The same frames with new local rotations of the arms."""
@@ -280,9 +290,9 @@ def _nearest(skeleton: Skeleton, body: PosedBody, frames: NDArray[np.intp] | Non
     along_m, other_m = lines_m.take(_LIMB_COLUMN, axis=1), lines_m.take(_OTHER_COLUMN, axis=1)
     (a, e), b = _squared_lengths(skeleton), _sum(along_m * other_m)
     c, f = _sum(along_m * between_m), _sum(other_m * between_m)
-    on_limb = _as_share((b * f - c * e) / np.maximum(a * e - b * b, 1e-12))
-    on_other = _as_share((b * on_limb + f) / e)
-    on_limb = _as_share((b * on_other - c) / a)
+    on_limb = clipped((b * f - c * e) / np.maximum(a * e - b * b, 1e-12), 0.0, 1.0)
+    on_other = clipped((b * on_limb + f) / e, 0.0, 1.0)
+    on_limb = clipped((b * on_other - c) / a, 0.0, 1.0)
     apart_m = between_m + on_limb * along_m - on_other * other_m
     depth_m = radii_m(skeleton)[:, None] - np.sqrt(_sum(apart_m * apart_m))
     return _Nearest(depth_m, on_limb, on_other, apart_m, along_m, other_m, between_m)
@@ -292,11 +302,6 @@ def _sum(parts: FloatArray) -> FloatArray:
     """x + y + z (…) of (3, …)."""
     x, y, z = parts
     return np.asarray(x + y + z)
-
-
-def _as_share(place: FloatArray) -> FloatArray:
-    """Brought into [0, 1], faster than by `np.clip`."""
-    return np.minimum(np.maximum(place, 0.0), 1.0)
 
 
 def _aside(along: FloatArray, other: FloatArray, back: FloatArray, arms: FloatArray) -> FloatArray:

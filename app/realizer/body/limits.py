@@ -10,11 +10,13 @@ meaning.
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
+from math import acos, degrees
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FloatArray
+from ..geometry.curves import clipped
 from ..geometry.rotations import from_axis_angle, from_rotation_vector, inverse, multiply, nearest_sign
 from .skeleton import FINGERS, SIDES, Skeleton
 
@@ -93,16 +95,32 @@ def clamp(skeleton: Skeleton, rotations: FloatArray) -> None:
     """Bring trunk, neck and arms within their limits, in place, in local rotations (…, J, 4). Where a limit applies to
     a chain, its last joint is corrected. Fingers are not touched: their tables respect the limits."""
     for alike in _alike(_CLAMPED):
-        turned = _turned(skeleton, alike, rotations)
-        if _turns_less(turned, min(limit.free_deg for limit in alike.limits)):
+        if _turn_less(skeleton, alike, rotations):
             continue
-        angles = alike.measured(turned)
-        within = np.minimum(np.maximum(angles, alike.lowest_deg), alike.highest_deg)
-        there = np.nonzero((np.abs(angles - within) > _TOLERATED_DEG).any(axis=-1))
-        if len(there[0]):
-            joints = _chains(skeleton, alike)[:, there[-1]]
-            chain = [rotations[*there[:-1], each] for each in joints]
-            rotations[*there[:-1], joints[-1]] = _brought_back(alike, chain, within[there], alike.mirrors[there[-1]])
+        turned = _turned(skeleton, alike, rotations)
+        if _turns_less(turned, alike.free_deg):
+            continue
+        angles = alike.measured(np.moveaxis(turned, -2, 0))
+        each = (-1, *(1,) * (angles.ndim - 2), 3)
+        within = clipped(angles, alike.lowest_deg.reshape(each), alike.highest_deg.reshape(each))
+        limit, *frame = there = np.nonzero((np.abs(angles - within) > _TOLERATED_DEG).any(axis=-1))
+        if len(limit):
+            joints = _chains(skeleton, alike)[:, limit]
+            chain = [rotations[*frame, joint] for joint in joints]
+            rotations[*frame, joints[-1]] = _brought_back(alike, chain, within[there], alike.mirrors[limit])
+
+
+def _turn_less(skeleton: Skeleton, alike: "_Alike", rotations: FloatArray) -> bool:
+    """Whether the joints of each of these chains, all turned the same way as far as they ever are, would still be
+    within any limit: what most trunks and necks are, and the cheapest to find out."""
+    if not alike.free_deg:
+        return False
+    widest_deg = [
+        2 * degrees(acos(min(1.0, float(np.abs(rotations[..., joint, 3]).min(initial=1.0)))))
+        for joint in _chains(skeleton, alike).ravel().tolist()
+    ]
+    number = len(alike.limits)
+    return max(sum(widest_deg[chain::number]) for chain in range(number)) < alike.free_deg
 
 
 def _turns_less(rotation: FloatArray, degrees: float) -> bool:
@@ -150,7 +168,7 @@ def shoulder_deg(orientation: FloatArray) -> FloatArray:
 def within_shoulder_limits(orientation: FloatArray) -> FloatArray:
     """The orientation (…, 4) of the left upper arm in the upper chest's space, clamped to the shoulder's limits."""
     angles = shoulder_deg(orientation)
-    within = np.clip(angles, _SHOULDER.lowest_deg, _SHOULDER.highest_deg)
+    within = clipped(angles, _SHOULDER.lowest_deg, _SHOULDER.highest_deg)
     passed = (within != angles).any(axis=-1, keepdims=True)
     return np.asarray(np.where(passed, _joined(_SHOULDER, within), orientation)) if passed.any() else orientation
 
@@ -161,7 +179,7 @@ def within_neck_limits(turned: FloatArray) -> FloatArray:
     if _turns_less(turned, neck.free_deg):
         return turned
     angles = swing_twist_deg(turned, 1)
-    within = np.clip(angles, neck.lowest_deg, neck.highest_deg)
+    within = clipped(angles, neck.lowest_deg, neck.highest_deg)
     passed = (within != angles).any(axis=-1, keepdims=True)
     return np.asarray(np.where(passed, _joined(neck, within), turned)) if passed.any() else turned
 
@@ -176,6 +194,11 @@ class _Alike:
     mirrors: FloatArray
     lowest_deg: FloatArray
     highest_deg: FloatArray
+
+    @property
+    def free_deg(self) -> float:
+        """The angle up to which any rotation is within all of the limits."""
+        return min(limit.free_deg for limit in self.limits)
 
     def measured(self, rotation: FloatArray) -> FloatArray:
         """The angles (…, n, 3) of rotations (…, n, 4) of these chains."""

@@ -13,7 +13,7 @@ import numpy as np
 from ...model import FloatArray
 from ..body.limits import MIRROR
 from ..body.movement_style import Dragging
-from ..geometry.curves import smoothed
+from ..geometry.curves import clipped, smoothed, soft_maximum
 from ..geometry.noise import Noise, perlins
 from ..geometry.rotations import from_rotation_vector, inverse, multiply, rotate, turn_about_z
 
@@ -89,8 +89,7 @@ def _across_the_hands(arms: FloatArray, speeds: FloatArray) -> FloatArray:
 
 def _delayed(values: FloatArray, frames: float) -> FloatArray:
     """The values (T, …) delayed by this many frames."""
-    whole = round(frames)
-    return np.concatenate([values[:1].repeat(whole, axis=0), values[: len(values) - whole]])[: len(values)]
+    return values.take(np.maximum(np.arange(len(values)) - round(frames), 0), axis=0)
 
 
 def _at_most(angles: FloatArray) -> FloatArray:
@@ -101,13 +100,8 @@ def _at_most(angles: FloatArray) -> FloatArray:
 def _within(curled: FloatArray, arms: FloatArray) -> FloatArray:
     """Curls (T, 2, 4) limited to what the pose allows: a stretched finger stretches no further, a closed one hardly
     curls more, and one that is straight beside closed ones, because it points or counts, stays nearly straight."""
-    closed = _as_share(2 / _CLOSED * np.abs(arms[:, :, _MIDDLE_JOINTS, 2]))
-    beside = _as_share((closed.max(axis=-1, keepdims=True) - _RELAXED) / (1 - _RELAXED))
+    closed = clipped(2 / _CLOSED * np.abs(arms[:, :, _MIDDLE_JOINTS, 2]), 0.0, 1.0)
+    beside = clipped((closed.max(axis=-1, keepdims=True) - _RELAXED) / (1 - _RELAXED), 0.0, 1.0)
     free = (1 - closed) * (1 - _POINTING * beside)
-    flexed = _SOFT_RAD * np.logaddexp(0.0, curled / _SOFT_RAD)
+    flexed = soft_maximum(curled, 0.0, _SOFT_RAD)
     return np.asarray(free * _MOST_CURL_RAD * np.tanh(flexed / _MOST_CURL_RAD))
-
-
-def _as_share(value: FloatArray) -> FloatArray:
-    """Brought into [0, 1], faster than by `np.clip`."""
-    return np.minimum(np.maximum(value, 0.0), 1.0)

@@ -9,11 +9,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-import numpy as np
-
 from ...model import Hand, Interval, Level
 from ..arms.rest_poses import resting
 from ..body.movement_style import Lap
+from ..geometry.chance import generator_of
 from ..gestures.gesture_plan import ArmRest, Repeat
 
 SPACING_S = 0.46
@@ -70,7 +69,7 @@ def _times_within(
     phrase: Interval, emphases_s: tuple[float, ...], likely: float, seed: int
 ) -> list[tuple[float, float]]:
     """Those of one phrase. Cached, since either hand has them; never mutated."""
-    rng = np.random.default_rng((seed, round(1000 * phrase.start_s)))
+    rng = generator_of(seed, round(1000 * phrase.start_s))
     found, at_s = [], phrase.start_s
     while at_s < phrase.end_s:
         step_s, height = float(rng.uniform(*_STEPS_S)), float(rng.uniform(0.7, 1.3))

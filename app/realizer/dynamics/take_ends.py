@@ -14,6 +14,7 @@ from ...model import FloatArray
 from ..body.contacts import PosedBody
 from ..body.motion import BodyMotion
 from ..body.skeleton import HANDS, Skeleton
+from ..geometry.curves import clipped
 from ..geometry.rotations import length, nearest_sign, normalized
 
 _STANDS_S = 0.02
@@ -39,8 +40,8 @@ def _behind_s(from_end_s: FloatArray, span_s: float, stands_s: float) -> FloatAr
     fast as any: what it has made up is a polynomial of fifth degree of the share of the time in which it moves."""
     moves_s = span_s - stands_s
     whole = span_s / moves_s
-    share = np.clip((from_end_s - stands_s) / moves_s, 0.0, 1.0)
-    made_up = share**3 * (10 * whole - 4 + share * (7 - 15 * whole + share * (6 * whole - 3)))
+    share = clipped((from_end_s - stands_s) / moves_s, 0.0, 1.0)
+    made_up = share * share * share * (10 * whole - 4 + share * (7 - 15 * whole + share * (6 * whole - 3)))
     return np.asarray(np.minimum(from_end_s, span_s) - moves_s * made_up)
 
 

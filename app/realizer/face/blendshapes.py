@@ -20,6 +20,7 @@ import numpy as np
 from ...model import FloatArray, Schedule
 from ..body.motion import SHAPES, BodyMotion
 from ..body.skeleton import Skeleton
+from ..geometry.curves import clipped
 from ..geometry.noise import perlin
 from ..geometry.rotations import rotate
 from .expressions import expressions
@@ -140,11 +141,11 @@ def eye_look_weights(table: EyeTable, body: BodyMotion, skeleton: Skeleton) -> F
     shapes = np.zeros((len(body.times_s), len(SHAPES)))
     gaze = rotate(body.rotations.take(skeleton.chain("leftEye", "rightEye"), axis=1), _AHEAD)
     out_deg = np.degrees(np.arctan2(gaze[..., 0], gaze[..., 2])) * [1.0, -1.0]
-    up_deg = np.degrees(np.arcsin(np.clip(gaze[..., 1], -1.0, 1.0)))
+    up_deg = np.degrees(np.arcsin(clipped(gaze[..., 1], -1.0, 1.0)))
     turns = {"Out": out_deg / table.out_deg, "In": -out_deg / table.in_deg}
     turns |= {"Up": up_deg / table.up_deg, "Down": -up_deg / table.down_deg}
     for way, share in turns.items():
-        shapes[:, [INDEX[f"eyeLook{way}{side}"] for side in SIDES]] = np.clip(share, 0.0, 1.0)
+        shapes[:, [INDEX[f"eyeLook{way}{side}"] for side in SIDES]] = clipped(share, 0.0, 1.0)
     return shapes
 
 

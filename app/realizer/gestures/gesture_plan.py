@@ -19,6 +19,7 @@ from ...model.schedule import Way
 from ...model.slots import Slots
 from ..body.motion import Decision
 from ..body.movement_style import PLAIN, MovementStyle
+from ..geometry.chance import generator_of
 from .gesture import Clip, Markers
 
 Position = tuple[float, float, float]
@@ -224,4 +225,4 @@ def drawn(seed: int, gesture: PlacedGesture, what: int = 0) -> np.random.Generat
     """The generator of a gesture; `what` is drawn, where more than one thing is."""
     asked = gesture.request
     named = f"{asked.behavior} {asked.category} {asked.stroke_s:.3f}"
-    return np.random.default_rng((seed, crc32(named.encode()), what) if what else (seed, crc32(named.encode())))
+    return generator_of(seed, crc32(named.encode()), *([what] if what else []))

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...model import FloatArray
+from ..geometry.curves import clipped
 from ..geometry.rotations import (
     cross,
     dot,
@@ -56,7 +57,7 @@ class WristAngles:
 
     def clamped(self) -> "WristAngles":
         """The angles clamped to the limits."""
-        return WristAngles(np.clip(self.angles, np.radians(LOWEST_DEG), np.radians(HIGHEST_DEG)))
+        return WristAngles(clipped(self.angles, np.radians(LOWEST_DEG), np.radians(HIGHEST_DEG)))
 
 
 def wrist_angles(forearm: FloatArray, finger_base: FloatArray | None, palm: FloatArray | None) -> WristAngles:

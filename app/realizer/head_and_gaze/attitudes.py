@@ -18,7 +18,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ...model import FloatArray, Interval, Schedule, Word
-from ..geometry.curves import smoothed, superposed_movements
+from ..geometry.chance import generator_of
+from ..geometry.curves import clipped, smoothed, superposed_movements
 from ..geometry.noise import Noise, perlins
 from ..torso.stance import idle_activity
 
@@ -88,8 +89,8 @@ class HeadAttitude:
 def head_attitude(times_s: FloatArray, schedule: Schedule, *, seed: int) -> HeadAttitude:
     """What trunk, neck and head do by themselves; deterministic for a seed, and at a stillness of 1 nothing moves."""
     activity, lively = idle_activity(schedule), 1 - schedule.stillness
-    first, held = _held(float(times_s[-1]), schedule.phrases, np.random.default_rng(seed + 6))
-    thrusts = _thrusts(schedule.emphases_s, np.random.default_rng(seed + 7))
+    first, held = _held(float(times_s[-1]), schedule.phrases, generator_of(seed + 6))
+    thrusts = _thrusts(schedule.emphases_s, generator_of(seed + 7))
     clock_s = _clock_s(times_s, schedule.words)
     attitude = activity * first + superposed_movements(clock_s, *held.scaled(activity).by_clock(times_s, clock_s))
     thrust = superposed_movements(times_s, *thrusts.scaled(lively))
@@ -124,7 +125,7 @@ class _Moves(NamedTuple):
 def _held(end_s: float, phrases: Sequence[Interval], generator: np.random.Generator) -> tuple[FloatArray, _Moves]:
     """The first attitude (7,), and the movements to those that are held after it."""
     starts_s = np.array(list(_changes_s(end_s, phrases, generator)))
-    drawn = np.clip(generator.standard_normal((len(starts_s) + 1, len(_SPREAD))), -WIDEST, WIDEST)
+    drawn = clipped(generator.standard_normal((len(starts_s) + 1, len(_SPREAD))), -WIDEST, WIDEST)
     attitudes = _SPREAD * drawn
     attitudes[:, _YAW] = _turns(len(drawn), generator)
     durations_s = generator.uniform(*_MOVING_S, len(starts_s))

@@ -19,7 +19,7 @@ from ...model import FloatArray, Schedule
 from ..body.limits import within_neck_limits
 from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton
-from ..geometry.curves import superposed_movements
+from ..geometry.curves import clipped, superposed_movements
 from ..geometry.noise import perlin
 from ..geometry.rotations import (
     from_axis_angle,
@@ -87,7 +87,7 @@ def face(skeleton: Skeleton, carried_by: Chest, neck: FloatArray, head: FloatArr
 
 def eye_rotations(where: Face, at_m: FloatArray) -> FloatArray:
     """The rotations (T, 2, 4) of the left and right eye towards the points `at_m` (T, 3), within their limits."""
-    return from_pitch_yaw(*np.clip(_asked_of_eyes(where, at_m), -_LIMITS, _LIMITS))
+    return from_pitch_yaw(*clipped(_asked_of_eyes(where, at_m), -_LIMITS, _LIMITS))
 
 
 def _asked_of_eyes(where: Face, at_m: FloatArray) -> FloatArray:
@@ -99,7 +99,7 @@ def looking(where: Face, at_m: FloatArray) -> tuple[FloatArray, FloatArray]:
     """`eye_rotations`, and the points (T, 3) at which the eyes look then: `at_m`, but where their limits keep them from
     it, or where it is so far that they are parallel."""
     asked = _asked_of_eyes(where, at_m)
-    within = np.minimum(np.maximum(asked, -_LIMITS), _LIMITS)
+    within = clipped(asked, -_LIMITS, _LIMITS)
     eyes, seen_m = from_pitch_yaw(*within), at_m
     missed = (np.abs(asked) >= _LIMITS).any(axis=(0, 2)) | (np.abs(at_m).max(axis=1) > _NEAR_ENOUGH * FARTHEST_M)
     if missed.any():
@@ -116,7 +116,7 @@ def fixation_point_m(where: Face, eyes: FloatArray) -> FloatArray:
     cosine, on_left, on_right = (np.sum(a * b, axis=-1) for a, b in ((left, right), (base, left), (base, right)))
     sine_squared = 1.0 - cosine**2
     along = np.stack([cosine * on_right - on_left, on_right - cosine * on_left], axis=-1)
-    along_m = np.clip(along / np.maximum(sine_squared, _PARALLEL)[:, None], 0.0, FARTHEST_M)
+    along_m = clipped(along / np.maximum(sine_squared, _PARALLEL)[:, None], 0.0, FARTHEST_M)
     ends_m = where.eyes_m + np.where(sine_squared < _PARALLEL, FARTHEST_M, along_m.T).T[:, :, None] * lines
     return np.asarray(ends_m.mean(axis=1))
 

@@ -18,6 +18,7 @@ import numpy as np
 
 from ...model import Behavior, Channel, FloatArray, Schedule
 from ..body.motion import Decision
+from ..geometry.curves import clipped
 from ..geometry.rotations import pitch_and_yaw
 from ..gestures.gesture_plan import PlacedGesture, Position
 
@@ -103,16 +104,16 @@ def gaze_targets(
     line, glance = np.array([each.line for each in lines]), np.array([each.glance for each in lines])
     shares = np.array([[HEAD_SHARE[each.lexeme], TRUNK_SHARE[each.lexeme]] for each in lines])
     head = shares[:, :1] * line[:, :2]
-    beyond = line[:, 1:2] - np.clip(line[:, 1:2], -TRUNK_AT_EASE, TRUNK_AT_EASE)
+    beyond = line[:, 1:2] - clipped(line[:, 1:2], -TRUNK_AT_EASE, TRUNK_AT_EASE)
     in_head = (line + glance)[:, :2] - head
-    head += in_head - np.clip(in_head, -AT_EASE, AT_EASE)
+    head += in_head - clipped(in_head, -AT_EASE, AT_EASE)
     head[:, 0] = np.minimum(head[:, 0], LOWEST_HEAD)
     return GazeTargets(
         starts_s=np.array([each.at_s for each in lines[1:]]),
         within_s=np.array([each.within_s for each in lines[1:]]),
         eyes=line + glance,
         head=head,
-        trunk=np.clip(shares[:, 1:] * beyond, -TRUNK_LIMIT, TRUNK_LIMIT),
+        trunk=clipped(shares[:, 1:] * beyond, -TRUNK_LIMIT, TRUNK_LIMIT),
     )
 
 

@@ -27,7 +27,7 @@ from ...model import Behavior, Channel, FloatArray, Schedule, SyncPoints
 from ..body.limits import within_neck_limits
 from ..body.motion import BodyMotion
 from ..body.skeleton import Skeleton
-from ..geometry.curves import plateau
+from ..geometry.curves import clipped, plateau
 from ..geometry.rotations import (
     at_times,
     from_axis_angle,
@@ -174,13 +174,13 @@ def _phase(
 def _nodding(phase: FloatArray, waves: int) -> FloatArray:
     """0 at each full wave, with peaks of decreasing height between."""
     sizes = DECAY ** np.arange(waves)
-    return np.asarray((1 - np.cos(phase)) / 2 * sizes[np.clip(phase / (2 * np.pi), 0, waves - 1).astype(int)])
+    return np.asarray((1 - np.cos(phase)) / 2 * sizes[clipped(phase / (2 * np.pi), 0, waves - 1).astype(int)])
 
 
 def _swinging(phase: FloatArray, waves: int) -> FloatArray:
     """A sine whose first and last quarter are squared, so that it starts and ends with zero velocity."""
     left, quarter = 2 * np.pi * waves - phase, np.pi / 2
-    return np.asarray(np.sin(phase) * np.sin(np.clip(phase, 0, quarter)) * np.sin(np.clip(left, 0, quarter)))
+    return np.asarray(np.sin(phase) * np.sin(clipped(phase, 0, quarter)) * np.sin(clipped(left, 0, quarter)))
 
 
 def _amount(behavior: Behavior) -> float:

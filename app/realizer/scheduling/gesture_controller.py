@@ -30,7 +30,7 @@ from ..body.skeleton import Skeleton, as_far_as_hands, forward
 from ..dynamics.calming import calm
 from ..dynamics.dragging import drag
 from ..dynamics.take_ends import eased_at_the_ends
-from ..geometry.curves import minimum_jerk, plateau
+from ..geometry.curves import clipped, minimum_jerk, plateau
 from ..geometry.rotations import (
     cross,
     dot,
@@ -75,7 +75,7 @@ def with_tracks(skeleton: Skeleton, rotations: FloatArray, clip: Clip, time_s: f
 
 def track_course(track: OffsetTrack, markers: Markers, times_s: FloatArray) -> FloatArray:
     """How much of its angles a track adds at each time (T,), from -1 to 1."""
-    share = np.clip((times_s - markers.stroke_start) / (markers.stroke_end - markers.stroke_start), 0.0, 1.0)
+    share = clipped((times_s - markers.stroke_start) / (markers.stroke_end - markers.stroke_start), 0.0, 1.0)
     match track.form:
         case TrackForm.HELD:
             begins_s = min(markers.start, markers.stroke_end - _SHORTEST_S)
@@ -83,7 +83,7 @@ def track_course(track: OffsetTrack, markers: Markers, times_s: FloatArray) -> F
             return plateau(times_s, begins_s, markers.stroke_end, markers.relax, ends_s)
         case TrackForm.CURVED:
             return np.asarray(np.sin(np.pi * share) ** 2)
-    ramp = minimum_jerk(np.clip(share / _RAMP, 0.0, 1.0)) * minimum_jerk(np.clip((1 - share) / _RAMP, 0.0, 1.0))
+    ramp = minimum_jerk(clipped(share / _RAMP, 0.0, 1.0)) * minimum_jerk(clipped((1 - share) / _RAMP, 0.0, 1.0))
     return np.asarray(ramp * np.sin(2 * np.pi * track.turns * share + np.radians(track.phase_deg)))
 
 
@@ -177,7 +177,7 @@ def bend_strokes(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan) -> Non
     for arm in _bent(plan):
         markers, joint = arm.markers, skeleton.index[arm.side + "UpperArm"]
         stroke_s = markers.stroke_end - markers.stroke_start
-        share = np.clip((body.times_s - markers.stroke_start) / stroke_s, 0.0, 1.0)
+        share = clipped((body.times_s - markers.stroke_start) / stroke_s, 0.0, 1.0)
         turn = np.sin(np.pi * share)[:, None] ** 2 * _turn(skeleton, body, arm)
         body.rotations[:, joint] = multiply(body.rotations[:, joint], from_rotation_vector(turn))
 

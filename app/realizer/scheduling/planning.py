@@ -21,6 +21,7 @@ from ..dynamics.level_variants import varied
 from ..dynamics.resting_beats import Habits
 from ..dynamics.resting_beats import with_beats as riding
 from ..dynamics.snapping import lifted, quickened, snapped, wound_up
+from ..geometry.chance import generator_of
 from ..gestures.gesture_plan import (
     ArmGesture,
     ArmRest,
@@ -132,7 +133,7 @@ def chosen_clips(
     library: Clips, schedule: Schedule, setting: TransitionContext, *, seed: int, targets_m: Mapping[str, Position]
 ) -> KeptGestures:
     """The gestures that are played with their clips, in order of their strokes, and the decisions about the others."""
-    draw = Draw(library, np.random.default_rng(seed), targets_m, setting)
+    draw = Draw(library, generator_of(seed), targets_m, setting)
     kept: tuple[PlacedGesture, ...] = ()
     decisions: list[Decision] = []
     asked = requests_of(schedule)

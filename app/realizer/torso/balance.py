@@ -12,6 +12,7 @@ import numpy as np
 
 from ...model import FloatArray
 from ..body.skeleton import SIDES, Skeleton, forward
+from ..geometry.curves import clipped, soft_maximum
 from ..geometry.rotations import from_axis_angle, inverse, length, multiply, rotate, sine_and_cosine
 
 _LEG = ("UpperLeg", "LowerLeg", "Foot")
@@ -80,7 +81,7 @@ def hips_height_m(
     rise_m = np.sqrt((STRETCHED * sum(_lengths_m(skeleton))) ** 2 - away_m * away_m - aside_m * aside_m)
     rise_m += reach_m[..., 1]
     left_m, right_m = rise_m[..., 0, :], rise_m[..., 1, :]
-    return np.asarray(-_SOFTNESS_M * np.logaddexp(-left_m / _SOFTNESS_M, -right_m / _SOFTNESS_M))
+    return -soft_maximum(-left_m, -right_m, _SOFTNESS_M)
 
 
 def _placed(skeleton: Skeleton, feet: Feet | FeetCourse | None) -> tuple[FloatArray, FloatArray]:
@@ -124,11 +125,11 @@ def _leg(skeleton: Skeleton, way_m: FloatArray) -> tuple[FloatArray, FloatArray]
     distance_m = np.minimum(length(way_m)[..., 0], upper_m + lower_m)
     cosine = (distance_m**2 - upper_m**2 - lower_m**2) / (2 * upper_m * lower_m)
     straight = np.arctan2(shin[2], -shin[1]) - np.arctan2(foot[2], -foot[1])
-    bend = np.arccos(np.clip(cosine, -1.0, 1.0)) - straight
+    bend = np.arccos(clipped(cosine, -1.0, 1.0)) - straight
     bend_sine, bend_cosine = sine_and_cosine(bend)
     bent_y = shin[1] + foot[1] * bend_cosine - foot[2] * bend_sine
     bent_z = shin[2] + foot[1] * bend_sine + foot[2] * bend_cosine
-    swing = np.arctan2(away_m, -np.hypot(aside_m, up_m)) - np.arctan2(bent_z, bent_y)
+    swing = np.arctan2(away_m, -np.sqrt(aside_m * aside_m + up_m * up_m)) - np.arctan2(bent_z, bent_y)
     spread = np.arctan2(aside_m, -up_m)
     return _swung(swing, spread), from_axis_angle((1.0, 0.0, 0.0), bend)
 

@@ -27,6 +27,7 @@ from ..arms.rest_poses import rest_pose
 from ..body.motion import BodyMotion
 from ..body.movement_style import PLAIN, IdleLife
 from ..body.skeleton import SIDES, Skeleton, arm_joints
+from ..geometry.chance import generator_of
 from ..geometry.curves import minimum_jerk_through
 from ..geometry.noise import Noise, perlins
 from ..geometry.rotations import IDENTITY, from_pitch_yaw_roll, multiply
@@ -123,7 +124,7 @@ def idle_motion(
     """The idle motion at `times_s` (T,), with the postures of the schedule and breaths in its pauses. The feet stay in
     place; without `with_limbs` legs are straight and arms below the collarbones hang still, for later controllers that
     move the hips, solve the legs and set the arms. Deterministic for a seed."""
-    generator = np.random.default_rng(seed)
+    generator = generator_of(seed)
     held = trunk_postures(times_s, schedule.behaviors, weight=UNEVEN_WEIGHT * float(generator.choice([-1.0, 1.0])))
     noise = _noise(times_s, life, seed)
     stance = stances(times_s, schedule, life, seed=seed)
@@ -132,7 +133,8 @@ def idle_motion(
     held = replace(held, weight=weight, forward=held.forward + lean(schedule.agitation))
     cycle_s, lively = QUIET_CYCLE_S / IDLE_ACTIVITY[schedule.agitation], idle_activity(schedule)
     breath = lung_volume(times_s, schedule.phrases, generator, cycle_s=cycle_s)
-    rotations = np.tile(_hanging(skeleton), (len(times_s), 1, 1))
+    rotations = np.empty((len(times_s), len(skeleton.names), 4))
+    rotations[:] = _hanging(skeleton)
     sway = lively * noise.sway
     bent_m = life.bob_m * lively * (_LOWERED + noise.bob)
     bends = np.radians(life.bend_deg) * sway[:, :12].reshape(-1, len(_TRUNK), 3)
@@ -215,9 +217,8 @@ def _stir_arms(
     pitch, yaw, roll = (stirs * amplitudes[:, : len(joints)] for amplitudes in _stirs())
     roll[:, :, 0] += breath[:, None] * [1.0, _ON_THE_RIGHT[2]]
     turned = from_pitch_yaw_roll(pitch, yaw, roll)
-    for number, side in enumerate(SIDES):
-        stirred = skeleton.rows(*(side + name for name in joints))
-        rotations[:, stirred] = multiply(rotations[0, stirred], turned[:, number])
+    stirred = skeleton.arms(rotations)[:, :, : len(joints)]
+    stirred[...] = multiply(stirred[0], turned)
 
 
 @cache

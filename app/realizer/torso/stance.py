@@ -18,7 +18,8 @@ import numpy as np
 
 from ...model import FloatArray, Interval, Level, Schedule
 from ..body.movement_style import IdleLife
-from ..geometry.curves import superposed_movements
+from ..geometry.chance import generator_of
+from ..geometry.curves import clipped, superposed_movements
 
 BEFORE_S = 0.35
 """The time from the start of a weight shift to the start of the voice."""
@@ -55,7 +56,7 @@ class StanceCourse:
 
 def stances(times_s: FloatArray, schedule: Schedule, life: IdleLife, *, seed: int) -> StanceCourse:
     """The stances of a line; deterministic for a seed, none at a stillness of 1."""
-    generator = np.random.default_rng(seed + 9)
+    generator = generator_of(seed + 9)
     starts_s = np.array(list(_changes_s(float(times_s[-1]), schedule.phrases, generator)))
     held = _drawn(len(starts_s) + 1, generator) * _whole(life)
     durations_s = generator.uniform(*MOVING_S, len(starts_s))
@@ -67,8 +68,8 @@ def stances(times_s: FloatArray, schedule: Schedule, life: IdleLife, *, seed: in
 def beside(asked: FloatArray, own: FloatArray, *, uneven: float) -> FloatArray:
     """The weight (T,): that of the postures (`asked`) plus the body's `own` shifts. The further a posture has
     shifted the weight beyond the usual `uneven` share, the smaller the body's own shifts are."""
-    free = 1 - 0.8 * np.clip((np.abs(asked) - uneven) / (1 - uneven), 0.0, 1.0)
-    return np.asarray(np.clip(asked + free * own, -MOST_WEIGHT, MOST_WEIGHT))
+    free = 1 - 0.8 * clipped((np.abs(asked) - uneven) / (1 - uneven), 0.0, 1.0)
+    return np.asarray(clipped(asked + free * own, -MOST_WEIGHT, MOST_WEIGHT))
 
 
 def _whole(life: IdleLife) -> FloatArray:

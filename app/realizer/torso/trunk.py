@@ -104,11 +104,15 @@ def _turns(left: FloatArray, right: FloatArray) -> FloatArray:
 
 
 def _followed(times_s: FloatArray, course: FloatArray, width_s: float) -> FloatArray:
-    """A curve (T, C), smoothed and shifted slightly ahead."""
+    """A curve (T, C), smoothed and shifted slightly ahead, between frames along straight lines."""
     if len(times_s) < 2:
         return course
-    smooth = smoothed(course, width_s / float(times_s[1] - times_s[0]))
-    return np.stack([np.interp(times_s + _AHEAD_S, times_s, column) for column in smooth.T], axis=-1)
+    step_s = float(times_s[1] - times_s[0])
+    whole, share = divmod(_AHEAD_S / step_s, 1.0)
+    smooth = smoothed(course, width_s / step_s)
+    ahead = np.minimum(np.arange(len(times_s) + 1) + int(whole), len(times_s) - 1)
+    smooth = smooth.take(ahead, axis=0)
+    return np.asarray(smooth[:-1] + share * (smooth[1:] - smooth[:-1]))
 
 
 AHEAD_S = 0.12

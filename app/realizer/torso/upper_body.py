@@ -19,7 +19,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from types import MappingProxyType
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...model import FloatArray, Hand, Schedule
 from ..arms.displacements import Displacement, displaced
@@ -27,9 +26,9 @@ from ..arms.rest_poses import rest_pose, resting
 from ..body.contacts import PosedBody
 from ..body.motion import BodyMotion
 from ..body.movement_style import IdleLife
-from ..body.skeleton import SIDES, Skeleton, forward
+from ..body.skeleton import SIDES, Skeleton
 from ..dynamics.take_ends import eased_at_the_ends
-from ..geometry.curves import plateau
+from ..geometry.curves import clipped, plateau
 from ..geometry.noise import perlin
 from ..geometry.rotations import IDENTITY, from_axis_angle, inverse, multiply, rotate, slerp
 from ..gestures.gesture_plan import ArmGesture, ArmRest, GesturePlan
@@ -110,7 +109,7 @@ def _hanging(upper_arms: FloatArray) -> FloatArray:
     """How much a left and a right arm with these orientations (T, 2, 4) hang (T, 2): 0 to 1."""
     x, y, z, w = (upper_arms[..., part] for part in range(4))
     down = _INWARDS * (2 * (x * y + w * z))
-    share = np.minimum(np.maximum((down - _HANGS) / (_WHOLLY - _HANGS), 0.0), 1.0)
+    share = clipped((down - _HANGS) / (_WHOLLY - _HANGS), 0.0, 1.0)
     return np.asarray(share * share * (3 - 2 * share))
 
 
@@ -127,34 +126,41 @@ def with_hands_on_pelvis(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan
     if not rests:
         return body
     times_s = eased_at_the_ends(body.times_s, plan.style.ends.eased_s)
-    pushes_m = np.zeros((len(SIDES), len(times_s), 3))
+    shares = np.zeros((len(SIDES), len(times_s)))
+    places_m = np.zeros((len(SIDES), len(times_s), 3))
     for rest in rests:
         begins_s, ends_s = rest.start_s - _SETTLES_S, rest.end_s + _SETTLES_S
         share = plateau(times_s, begins_s, rest.start_s, rest.end_s, ends_s)
-        frames = np.flatnonzero(share)
-        carried_m = share[frames, None] * _carried_m(skeleton, body, rest, frames)
-        pushes_m[SIDES.index(rest.side), frames] += carried_m
-    moved = np.flatnonzero(pushes_m.any(axis=(0, 2)))
-    if not len(moved):
-        return body
+        shares[SIDES.index(rest.side)] += share
+        places_m[SIDES.index(rest.side)] += share[:, None] * _at_rest_m(skeleton, rest)
+    moved = np.flatnonzero(shares.any(axis=0))
     for first in range(0, len(moved), _FRAMES_AT_ONCE):
         frames = moved[first : first + _FRAMES_AT_ONCE]
-        still = np.zeros((len(frames), 3))
-        pushes = {side: Displacement(push_m[frames], still) for side, push_m in zip(SIDES, pushes_m, strict=True)}
-        posed = PosedBody.of(skeleton, body.rotations[frames], body.hips_m[frames])
+        posed, still = PosedBody.of(skeleton, body.rotations[frames], body.hips_m[frames]), np.zeros((len(frames), 3))
+        pushes = {
+            side: Displacement(_carried_m(skeleton, posed, share[frames], place_m[frames]), still)
+            for side, share, place_m in zip(SIDES, shares, places_m, strict=True)
+        }
         body.rotations[frames] = displaced(skeleton, posed, pushes)
     return body
 
 
-def _carried_m(skeleton: Skeleton, body: BodyMotion, rest: ArmRest, frames: NDArray[np.intp]) -> FloatArray:
-    """How far (F, 3) a wrist at rest is from where the chest carries it, if the pelvis carries it."""
-    wrist_m = rest_pose(skeleton, rest.side, rest.pose).wrist_m * [1.0 if rest.side is Hand.LEFT else -1.0, 1.0, 1.0]
-    upright_m = np.sum(skeleton.offsets_m[skeleton.chain(*_TRUNK[1:])], axis=0)
-    trunk = skeleton.chain(*_TRUNK)
-    at_m, turned = forward(skeleton, body.rotations[frames], body.hips_m[frames], frozenset(trunk))
-    hips, chest = trunk[0], trunk[-1]
-    by_pelvis_m = at_m[:, hips] + rotate(turned[:, hips], wrist_m)
-    return np.asarray(by_pelvis_m - at_m[:, chest] - rotate(turned[:, chest], wrist_m - upright_m))
+def _at_rest_m(skeleton: Skeleton, rest: ArmRest) -> FloatArray:
+    """Where a wrist at rest is on the upright body (3,)."""
+    return np.asarray(
+        rest_pose(skeleton, rest.side, rest.pose).wrist_m * [1.0 if rest.side is Hand.LEFT else -1.0, 1.0, 1.0]
+    )
+
+
+def _carried_m(skeleton: Skeleton, posed: PosedBody, share: FloatArray, place_m: FloatArray) -> FloatArray:
+    """How far (F, 3) a wrist that is at rest by this share (F,) is from where the chest carries it, if the pelvis
+    carries it; `place_m` (F, 3) is that share of its place."""
+    hips, *spine, chest = skeleton.chain(*_TRUNK)
+    upright_m = share[:, None] * np.sum(skeleton.offsets_m[[*spine, chest]], axis=0)
+    by_pelvis_m = rotate(posed.orientations[:, hips], place_m)
+    by_chest_m = rotate(posed.orientations[:, chest], place_m - upright_m)
+    between_m = posed.positions_m[:, hips] - posed.positions_m[:, chest]
+    return np.asarray(share[:, None] * between_m + by_pelvis_m - by_chest_m)
 
 
 LIFTS_DEG: Mapping[str, float] = MappingProxyType(

@@ -5,12 +5,14 @@ import pytest
 import scipy.ndimage
 
 from understudy.realizer.geometry.curves import (
+    clipped,
     means_around,
     minimum_jerk,
     minimum_jerk_through,
     plateau,
     reach_of,
     smoothed,
+    soft_maximum,
     superposed_movements,
 )
 
@@ -60,3 +62,17 @@ def test_curves_whose_neighbours_are_known_are_smoothed_as_within_longer_ones(fr
     curves = np.random.default_rng(0).normal(size=(7, frames + 2 * reach))
     expected = smoothed(curves.T, width)[reach : reach + frames].T
     assert np.abs(means_around(curves, width) - expected).max() < 1e-12
+
+
+def test_what_is_clipped_is_as_by_numpy() -> None:
+    values, lowest = np.linspace(-2, 2, 41)[:, None], np.array([-1.0, 0.0, 1.5])
+    assert np.array_equal(clipped(values, lowest, 1.7), np.clip(values, lowest, 1.7))
+
+
+@pytest.mark.parametrize("softness", [0.0025, 0.5])
+def test_a_soft_maximum_is_that_of_numpy(softness: float) -> None:
+    one, other = np.random.default_rng(1).normal(size=(2, 200))
+    assert soft_maximum(one, other, softness) == pytest.approx(
+        softness * np.logaddexp(one / softness, other / softness)
+    )
+    assert soft_maximum(one, one, softness) == pytest.approx(one + softness * np.log(2.0))
