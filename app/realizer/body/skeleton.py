@@ -136,10 +136,10 @@ def forward(
     """Forward kinematics: world positions (…, J, 3) and orientations (…, J, 4) for local rotations (…, J, 4) and hips
     (…, 3).
 
-    With `only`, a set of joints that contains the parents of its members, all others are left at zero.
+    With `only`, a set of joints that contains the parents of its members, all others are left undefined.
     """
     by_joint = rotations.swapaxes(0, -2).shape[:-1]
-    positions, orientations = (np.zeros((*by_joint, size)).swapaxes(0, -2) for size in (3, 4))
+    positions, orientations = (np.empty((*by_joint, size)).swapaxes(0, -2) for size in (3, 4))
     positions[..., 0, :], orientations[..., 0, :] = hips_m, rotations[..., 0, :]
     _place(skeleton, rotations, positions, orientations, only)
     return positions, orientations

@@ -52,8 +52,10 @@ def expressions(
             weights = _amount(behavior) * sided(words[behavior.lexeme], side)
             for later_s, columns in _BY_LATENESS:
                 moved = columns[weights[columns] != 0]
+                if not len(moved):
+                    continue
                 first, last = np.searchsorted(times_s, (points_s[0] + later_s, points_s[-1] + later_s))
-                if first < last and len(moved):
+                if first < last:
                     height = envelope(times_s[first:last] - later_s, points_s)
                     left[first:last, moved] *= 1 - height[:, None] * weights[moved]
     return 1 - left

@@ -34,7 +34,13 @@ def minimum_jerk(share: FloatArray) -> FloatArray:
     """The share of the way covered after `share` of the time: 6t⁵ - 15t⁴ + 10t³, 0 before the start, 1 after the
     end."""
     share = clipped(share, 0.0, 1.0)
-    return np.asarray(share * share * share * (10.0 + share * (6.0 * share - 15.0)))
+    course = 6.0 * share
+    course -= 15.0
+    course *= share
+    course += 10.0
+    for _third in range(3):
+        course *= share
+    return np.asarray(course)
 
 
 def superposed_movements(

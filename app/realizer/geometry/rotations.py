@@ -59,7 +59,8 @@ def turn_about_z(q: FloatArray, angle: FloatArray) -> None:
     turned = np.empty(half.shape, dtype=np.complex128)
     sine, turned.real = sine_and_cosine(half)
     np.negative(sine, out=turned.imag)
-    pairs *= turned[..., None]
+    pairs[..., 0] *= turned  # one after the other, since NumPy takes four times as long with both at a time
+    pairs[..., 1] *= turned
 
 
 def _as_pairs(q: FloatArray) -> NDArray[np.complex128]:
@@ -81,8 +82,8 @@ def rotate(q: FloatArray, vector: FloatArray) -> FloatArray:
     """`vector` (…, 3) rotated by `q`: with pairs of complex numbers as in `multiply`, q v, then times the inverse."""
     pairs = _as_pairs(q)
     xy, wz = pairs[..., 0], np.conjugate(pairs[..., 1])
-    z, across = vector[..., 2], np.empty(vector.shape[:-1], dtype=np.complex128)
-    across.real, across.imag = vector[..., 0], vector[..., 1]
+    across, z = (np.zeros(vector.shape[:-1], _COMPLEX) for _each in range(2))
+    across.real, across.imag, z.real = vector[..., 0], vector[..., 1], vector[..., 2]
     first, second = xy * np.conjugate(across) + wz * z, xy * z - wz * across
     flat = xy * first + wz * second
     rotated = np.empty((*flat.shape, 3))
@@ -282,8 +283,12 @@ def unit_vector(pitch: FloatArray, yaw: FloatArray) -> FloatArray:
 def sine_and_cosine(angle: FloatArray) -> tuple[FloatArray, FloatArray]:
     """The sines and the cosines of the angles (…) in radians."""
     tangent = np.tan(0.5 * np.asarray(angle))
-    whole = 2.0 / (1.0 + tangent * tangent)
-    return np.asarray(tangent * whole), np.asarray(whole - 1.0)
+    whole = tangent * tangent
+    whole += 1.0
+    whole = 2.0 / whole
+    tangent *= whole
+    whole -= 1.0
+    return np.asarray(tangent), np.asarray(whole)
 
 
 def within_speed(rotations: FloatArray, frame_s: float, fastest_rad_s: float | FloatArray) -> FloatArray:
