@@ -32,6 +32,7 @@ from .chaining.chainer import Call, Choice, derive
 from .chaining.facts import utterance_facts
 from .derivation import by_passage, passage_starts
 from .language.tree import ChooseClause
+from .priorities import Priorities
 from .program.loading import PRINTED, Program, Rule, load_program
 
 
@@ -46,17 +47,18 @@ class MappingRules:
     def load(cls, rules: Path, names: CallableNames) -> "MappingRules":
         """Loads the rules in `rules`/behaviors over `rules`/vocabulary.rules, which may call these `names`.
 
-        Raises AuthoringError with every mistake, also for a rule that joins no function.
+        Raises AuthoringError with every mistake, also for a rule that joins no function, or one that does not exist.
         """
         paths = [rules / "vocabulary.rules", *sorted((rules / "behaviors").glob("*.rules"))]
         program = load_program(paths, behaviors=names, printed=PRINTED)
-        mistakes = tuple(
+        mistakes = [
             Mistake(rule.path, rule.line, 1, f"rule {rule.name} maps no function; join `fcn(class, …)`")
             for rule in program.rules
             if rule.kind == "choose" and _weighs(rule) and all(mention.predicate != "fcn" for mention in rule.joins)
-        )
+        ]
+        mistakes += Priorities.load(rules / "functions" / "priorities.yaml").mistakes_in_rules(program.rules)
         if mistakes:
-            raise AuthoringError(mistakes)
+            raise AuthoringError(tuple(mistakes))
         return cls(program, frozenset(index.predicate for index in program.indexes))
 
 

@@ -19,7 +19,10 @@ from ..errors import LONGEST_SHOWN, Mistake, did_you_mean
 from ..model import Fact, Function
 from ..yaml_files import Entry, Source
 from .lexicon import LexicalEntry
-from .program.loading import Rule
+from .program.loading import FactMention, Rule
+
+_OPEN = ("$", "_")
+"""How an argument begins that is no constant: a variable, or anything."""
 
 Priority = Annotated[float, Field(gt=0, le=100)]
 
@@ -51,13 +54,23 @@ class Priorities(RootModel[Mapping[str, Mapping[str, Priority]]]):
         return None
 
     def mistakes_in_rules(self, rules: Iterable[Rule]) -> Iterator[Mistake]:
-        """Mistakes for rules that assert functions that are not in the table, where class and subtype are constants."""
+        """Mistakes for rules that assert or join functions that are not in the table, where class and subtype are
+        constants."""
         for rule in rules:
-            for mention in rule.asserts:
-                class_name, subtype = mention.arguments[:2] if mention.predicate == "fcn" else ("$", "$")
-                reason = None if "$" in class_name + subtype else self.unknown(class_name, subtype)
-                if reason:
+            for mention in (*rule.asserts, *rule.joins):
+                for reason in self._unknown_in(mention):
                     yield Mistake(rule.path, rule.line, 1, f"rule {rule.name}: {reason}; priorities.yaml lists them")
+
+    def _unknown_in(self, mention: FactMention) -> Iterator[str]:
+        """Why a mentioned function does not exist: for each of its classes, and each subtype that none of them has."""
+        if mention.predicate != "fcn" or mention.arguments[0][:1] in _OPEN:
+            return
+        classes, subtypes = (argument.split("|") for argument in mention.arguments[:2])
+        missing = [name for name in classes if name not in self.root]
+        for subtype in subtypes:
+            if subtype[:1] not in _OPEN and not missing and all(subtype not in self.root[name] for name in classes):
+                yield self.unknown(classes[0], subtype) or ""
+        yield from (self.unknown(name, "") or "" for name in missing)
 
     def mistakes_in_words(self, entries: Iterable[LexicalEntry]) -> Iterator[Mistake]:
         """Mistakes for words of a function class whose subtype the class does not have."""

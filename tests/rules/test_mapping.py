@@ -26,24 +26,24 @@ TABLE_2 = {
     "intensifier": {"brow_frown", "half_nod"},
 }
 
-# Every class of shared/functions.md and docs/functions.md with its subtypes; `plain` where a subtype may be unknown.
+# Every class of shared/functions.md and docs/functions.md with its subtypes.
 SUBTYPES = {
     "affirmation": "plain",
     "negation": "plain",
     "interrogative": "wh polar tag indirect",
     "contrast": "plain",
-    "process": "start continue stop change plain",
+    "process": "start continue stop change",
     "quantification": "all none many few some number plain",
     "comparison": "positive negative equal superlative strong_positive plain",
     "spatial": "up down near far front back left right inside outside through around between away plain",
-    "physical": "big small long short wide narrow heavy light high low fast slow hard soft round flat plain",
-    "mental": "think know unsure feel want remember plain",
+    "physical": "big small long short wide narrow heavy light high low fast slow hard soft round flat",
+    "mental": "think know unsure feel want remember",
     "performance": "filler repeat repair hesitation search plain",
     "deixis": "self addressee inclusive proximal distal place",
-    "modal": "likelihood ability permission obligation plain",
+    "modal": "likelihood ability permission obligation",
     "emphasis": "plain",
     "intensifier": "plain",
-    "valence": "positive negative plain",
+    "valence": "positive negative",
     "initial_noun_phrase": "plain",
     "initial_verb_phrase": "plain",
     "greeting": "plain",
@@ -240,6 +240,9 @@ def test_functions_that_lost_are_not_shown(rules: MappingRules) -> None:
     [
         ("foreach\n  word(no, $s, $e)\nchoose\n  weight 1\n    shake($s, $e)\n", "maps no function"),
         ("foreach\n  fcn(negation, _, $s, $e, _)\nchoose\n  weight 1\n    shaek($s, $e)\n", "shake"),
+        ("foreach\n  fcn(negatoin, _, $s, $e, _)\nchoose\n  weight 1\n    shake($s, $e)\n", "did you mean 'negation'"),
+        ("foreach\n  fcn(negation, strnog, $s, $e, _)\nchoose\n  weight 1\n    shake($s, $e)\n", "no subtype strnog"),
+        ("foreach\n  fcn(negation|modla, _, $s, $e, _)\nchoose\n  weight 1\n    shake($s, $e)\n", "class modla"),
     ],
 )
 def test_rules_that_cannot_map_do_not_load(tmp_path: Path, rule: str, message: str) -> None:
@@ -255,8 +258,10 @@ def test_a_behaviour_on_no_span_is_the_rules_mistake(tmp_path: Path) -> None:
 
 
 def _folder(folder: Path, rule: str) -> Path:
-    (folder / "behaviors").mkdir()
-    (folder / "vocabulary.rules").write_text((RULES / "vocabulary.rules").read_text(encoding="utf-8"), encoding="utf-8")
+    for name in ("behaviors", "functions"):
+        (folder / name).mkdir()
+    for name in ("vocabulary.rules", "functions/priorities.yaml"):
+        (folder / name).write_text((RULES / name).read_text(encoding="utf-8"), encoding="utf-8")
     (folder / "behaviors" / "one.rules").write_text(f"rule one\n{rule}", encoding="utf-8")
     return folder
 
