@@ -138,8 +138,7 @@ def test_a_nursery_that_was_killed_is_renewed_though_nobody_needs_it(
 
     async def scenario(own: Nursery) -> None:
         async with _pool(own) as pool:
-            os.kill(own.pid, signal.SIGKILL)
-            _kill(pool)
+            _kill(pool, and_its_nursery_by=signal.SIGKILL)
             while "forks" not in (await pool.trouble() or ""):
                 await asyncio.sleep(0.01)
             await _until(lambda: pool.nursery is not own)
@@ -158,8 +157,7 @@ def test_another_takes_the_place_of_one_that_was_killed_or_hangs_at_once_and_aga
         async with _pool(own) as pool:
             for number in (signal.SIGKILL, signal.SIGSTOP, signal.SIGKILL):
                 failed, following = pool.nursery, await _has_next(pool)
-                os.kill(failed.pid, number)
-                _kill(pool)
+                _kill(pool, and_its_nursery_by=number)
                 await _until(lambda failed=failed: pool.nursery is not failed)  # type: ignore[misc]
                 assert pool.nursery.pid == following
                 await _short(pool)
@@ -236,8 +234,12 @@ def test_an_error_of_the_job_comes_out_and_its_worker_goes_on(nursery: Nursery) 
     asyncio.run(scenario())
 
 
-def _kill(pool: Pool) -> None:
-    for pid in _children(pool):
+def _kill(pool: Pool, *, and_its_nursery_by: signal.Signals | None = None) -> None:
+    """Kills the workers. The nursery goes first, but is asked for them while it lives."""
+    workers = _children(pool)
+    if and_its_nursery_by is not None:
+        os.kill(pool.nursery.pid, and_its_nursery_by)
+    for pid in workers:
         os.kill(pid, signal.SIGKILL)
 
 
