@@ -61,8 +61,11 @@ OPENING_S = 0.5
 AT_EASE = np.radians([18.0, 24.0])
 """How far eyes rotate vertically and horizontally before the head assists."""
 
-LOWEST_HEAD = np.radians(45.0)
-"""How far down a look takes the head: nobody puts the chin on the chest to see the ground, the eyes do the rest."""
+LOWEST_HEAD: Mapping[str, float] = MappingProxyType(
+    {"SHIFT": np.radians(45.0), "LOOK": np.radians(45.0), "WATCH": np.radians(25.0)}
+)
+"""How far down a look takes the head: nobody puts the chin on the chest to see the ground, and for a moment's look at
+the own hand the face stays with the listener; the eyes do the rest."""
 
 _NOWHERE: FloatArray = np.zeros(3)
 
@@ -107,7 +110,7 @@ def gaze_targets(
     beyond = line[:, 1:2] - clipped(line[:, 1:2], -TRUNK_AT_EASE, TRUNK_AT_EASE)
     in_head = (line + glance)[:, :2] - head
     head += in_head - clipped(in_head, -AT_EASE, AT_EASE)
-    head[:, 0] = np.minimum(head[:, 0], LOWEST_HEAD)
+    head[:, 0] = np.minimum(head[:, 0], [LOWEST_HEAD[each.lexeme] for each in lines])
     return GazeTargets(
         starts_s=np.array([each.at_s for each in lines[1:]]),
         within_s=np.array([each.within_s for each in lines[1:]]),

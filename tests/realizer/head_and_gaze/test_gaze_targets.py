@@ -56,8 +56,20 @@ def test_no_look_puts_the_chin_on_the_chest() -> None:
     looks = (behavior(Channel.GAZE, "LOOK", 1.0, 1.1, 2.0, 2.1, target=name) for name in ("feet", "ceiling"))
     aims = gaze_targets(schedule(*looks), FROM_M, {"feet": (0.0, 0.0, 0.4), "ceiling": (0.0, 4.0, 0.8)})
     assert np.degrees(aims.eyes[1, 0]) > 70
-    assert aims.head[1, 0] == pytest.approx(LOWEST_HEAD)
-    assert aims.head[2, 0] < -LOWEST_HEAD
+    assert aims.head[1, 0] == pytest.approx(LOWEST_HEAD["LOOK"])
+    assert aims.head[2, 0] < -LOWEST_HEAD["LOOK"]
+
+
+def test_a_moments_look_at_the_own_hand_is_the_eyes_more_than_the_heads() -> None:
+    hand = {"hand": (0.0, 1.05, 0.35)}
+    heads = []
+    for lexeme in ("WATCH", "LOOK"):
+        look = behavior(Channel.GAZE, lexeme, 1.0, 1.1, 2.0, 2.1, target="hand")
+        aims = gaze_targets(schedule(look), FROM_M, hand)
+        heads.append(float(np.degrees(aims.head[1, 0])))
+        assert np.degrees(aims.eyes[1, 0]) > 40
+    assert heads[0] == pytest.approx(25.0)
+    assert heads[1] > 35
 
 
 def test_of_two_gazes_the_later_one_has_the_eyes_until_it_ends() -> None:
