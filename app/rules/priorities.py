@@ -47,11 +47,16 @@ class Priorities(RootModel[Mapping[str, Mapping[str, Priority]]]):
         """The message that there is no function of this class and subtype, with the known ones; None if there is
         one."""
         if class_name not in self.root:
-            return f"no function has the class {class_name[:LONGEST_SHOWN]}{_meant(class_name, self.root)}"
-        known = self.root[class_name]
-        if subtype not in known:
-            return f"{class_name} has no subtype {subtype[:LONGEST_SHOWN]}; its subtypes are {', '.join(known)}"
-        return None
+            return self._no_class(class_name)
+        return None if subtype in self.root[class_name] else self._no_subtype(class_name, subtype)
+
+    def _no_class(self, name: str) -> str:
+        return f"no function has the class {name[:LONGEST_SHOWN]}{_meant(name, self.root)}"
+
+    def _no_subtype(self, class_name: str, name: str) -> str:
+        return (
+            f"{class_name} has no subtype {name[:LONGEST_SHOWN]}; its subtypes are {', '.join(self.root[class_name])}"
+        )
 
     def mistakes_in_rules(self, rules: Iterable[Rule]) -> Iterator[Mistake]:
         """Mistakes for rules that assert or join functions that are not in the table, where class and subtype are
@@ -67,10 +72,12 @@ class Priorities(RootModel[Mapping[str, Mapping[str, Priority]]]):
             return
         classes, subtypes = (argument.split("|") for argument in mention.arguments[:2])
         missing = [name for name in classes if name not in self.root]
+        yield from map(self._no_class, missing)
+        if missing:
+            return
         for subtype in subtypes:
-            if subtype[:1] not in _OPEN and not missing and all(subtype not in self.root[name] for name in classes):
-                yield self.unknown(classes[0], subtype) or ""
-        yield from (self.unknown(name, "") or "" for name in missing)
+            if subtype[:1] not in _OPEN and all(subtype not in self.root[name] for name in classes):
+                yield self._no_subtype(classes[0], subtype)
 
     def mistakes_in_words(self, entries: Iterable[LexicalEntry]) -> Iterator[Mistake]:
         """Mistakes for words of a function class whose subtype the class does not have."""

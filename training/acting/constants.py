@@ -149,7 +149,7 @@ class Measure:
     def _families(self, plan: planning.Plan, moment: Moment) -> list[str]:
         if moment.set_against is not None or plan.worths is None:
             return list(dict.fromkeys(self.score.SAME.get(each, each) for each in moment.families[:2]))
-        best = list(plan.worths.lexemes)[int(plan.worths.log_odds[moment.stroke].argmax())]
+        best = plan.worths.best(moment.stroke)
         return list(self.score.FAMILIES[best])
 
     def _behavior(self, moment: Moment) -> str:

@@ -132,15 +132,11 @@ def _usual_pointing(families: Families) -> str | None:
 def _listings(player: Player, moment: Moment, plan: Plan) -> Iterator[Sequence[FamilyBehavior]]:
     """The behaviours of each of the moment's families, and those of the gesture for which its stroke was taken."""
     yield from (_behaviors_of(player.families, moment.channel, family) for family in moment.families)
-    best = _best_lexeme(moment, plan)
-    listed = (each for family in player.families.gesture.values() for each in family if each.name in player.behaviors)
-    yield [each for each in listed if best is not None and player.lexeme(each.name) == best]
-
-
-def _best_lexeme(moment: Moment, plan: Plan) -> str | None:
-    """The lexeme with the highest worth on the moment's stroke, if it was weighed."""
     worths = _weighed(moment, plan)
-    return list(worths.lexemes)[int(worths.log_odds[moment.stroke].argmax())] if worths else None
+    if worths is not None:
+        best, own = worths.best(moment.stroke), player.behaviors
+        listed = (each for family in player.families.gesture.values() for each in family if each.name in own)
+        yield [each for each in listed if player.lexeme(each.name) == best]
 
 
 def _weighed(moment: Moment, plan: Plan) -> LineWorths | None:

@@ -17,14 +17,6 @@ from .player import Player
 from .strokes import NEAR
 
 
-def words_of_lemmas(utterance: Utterance) -> Mapping[str, tuple[int, ...]]:
-    """The words of each lemma, in lower case."""
-    words: dict[str, list[int]] = defaultdict(list)
-    for token in utterance.parse.tokens:
-        words[token.lemma.lower()].append(token.word)
-    return {lemma: tuple(places) for lemma, places in words.items()}
-
-
 def lemmas_about(utterance: Utterance, moment: Moment) -> frozenset[str]:
     """The lemmas of a moment's words and of those near its stroke, in lower case."""
     first, last = min(moment.first, moment.stroke - NEAR), max(moment.last, moment.stroke + NEAR)
@@ -36,7 +28,7 @@ def possible_families(
 ) -> SingleArray:
     """Which families can be shown on each word (W, F), 0 or 1; `needed` are the lemmas of those that need one."""
     possible = np.ones((len(utterance.words), len(families)), np.float32)
-    words = words_of_lemmas(utterance)
+    words = _words_of_lemmas(utterance)
     for family, lemmas in needed.items():
         if family in families:
             possible[:, families.index(family)] = _near_any(lemmas, words, len(possible))
@@ -46,12 +38,20 @@ def possible_families(
 def possible_lexemes(lexemes: Mapping[str, int], player: Player, utterance: Utterance) -> NDArray[np.bool_]:
     """Which lexemes some behaviour of the player's families can show on each word (W, L)."""
     possible = np.zeros((len(utterance.words), len(lexemes)), np.bool_)
-    words = words_of_lemmas(utterance)
+    words = _words_of_lemmas(utterance)
     for lexeme, behavior in _listed(player, utterance.level):
         if lexeme in lexemes:
             shown = _near_any(behavior.lemmas, words, len(possible)) if behavior.lemmas else True
             possible[:, lexemes[lexeme]] |= shown
     return possible
+
+
+def _words_of_lemmas(utterance: Utterance) -> Mapping[str, tuple[int, ...]]:
+    """The words of each lemma, in lower case."""
+    words: dict[str, list[int]] = defaultdict(list)
+    for token in utterance.parse.tokens:
+        words[token.lemma.lower()].append(token.word)
+    return {lemma: tuple(places) for lemma, places in words.items()}
 
 
 def _listed(player: Player, level: Level) -> Iterable[tuple[str, FamilyBehavior]]:

@@ -242,8 +242,6 @@ def _playable(
     playable = possible_lexemes(planner.lexemes, player, utterance)
     for word, lexeme in asked:
         playable[word, planner.lexemes[lexeme]] = True
-    own = player.lexemes()
-    playable[:, [column for lexeme, column in planner.lexemes.items() if lexeme not in own]] = False
     return playable
 
 
@@ -275,12 +273,11 @@ def _possible(planner: Planner, utterance: Utterance, mimes: Iterable[Mime]) -> 
 
 def _gestures(worths: LineWorths, utterance: Utterance, taken: Sequence[int], ground: Ground) -> Iterator[Moment]:
     families = worths.choice.families
-    names = list(worths.lexemes)
     bounds = [-1, *taken, len(utterance.words)]
     for number, stroke in enumerate(taken):
         worth = worths.family[stroke]
-        best = int(worths.log_odds[stroke].argmax())
-        order = _best(worth, first=int(worths.shown[best].argmax()))
+        best = worths.best(stroke)
+        order = _best(worth, first=int(worths.shown[worths.lexemes[best]].argmax()))
         first, last = _phrase_about(utterance, stroke, bounds[number], bounds[number + 2])
         yield Moment(
             id=f"moment.gesture.{stroke}",
@@ -291,7 +288,7 @@ def _gestures(worths: LineWorths, utterance: Utterance, taken: Sequence[int], gr
             families=tuple(families[place] for place in order),
             importance=round(min(1.0, float(ground.gain[stroke]) / FULL_GAIN), 3),
             shares=tuple(round(float(worth[place]), 3) for place in order),
-            terms=worths.parts(stroke, names[best])[:TERMS_TOLD],
+            terms=worths.parts(stroke, best)[:TERMS_TOLD],
             rejected=tuple(_rejected(worths, ground, (first, stroke, last), order)),
         )
 

@@ -49,10 +49,6 @@ class Player:
         """What forbids a behaviour over these words, if anything does."""
         return banned(self.bans, name, first, last)
 
-    def lexemes(self) -> frozenset[str]:
-        """The lexemes of its gestures."""
-        return self._gestures(self.behaviors)
-
     def banned_lexemes(self) -> Iterator[tuple[Ban, frozenset[str]]]:
         """The gesture lexemes that each ban leaves no behaviour for."""
         for ban in self.bans:

@@ -88,6 +88,11 @@ class LineWorths:
         column = self.lexemes.get(lexeme)
         return None if column is None else float(self.log_odds[word, column])
 
+    def best(self, word: int) -> str:
+        """The lexeme with the highest log-odds with its stroke on a word."""
+        column = int(self.log_odds[word].argmax())
+        return next(lexeme for lexeme, each in self.lexemes.items() if each == column)
+
     def parts(self, word: int, lexeme: str) -> tuple[Term, ...]:
         """The named parts of that sum, the largest first."""
         column = self.lexemes[lexeme]

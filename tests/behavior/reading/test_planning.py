@@ -215,7 +215,7 @@ def test_what_was_shown_just_before_is_worth_less_and_says_so(understudy: Unders
     found = plan_of(understudy, LINES[0], player(understudy))
     assert found.worths is not None
     before = replace(found.worths, just_shown={})
-    lexeme = list(before.lexemes)[int(before.log_odds[2].argmax())]
+    lexeme = before.best(2)
     after = after_what_was_shown(before, dict.fromkeys((2, 6), WHOLE), [0.5 * word for word in range(12)])
     lost = (after.of(6, lexeme) or 0.0) - (before.of(6, lexeme) or 0.0)
     assert lost == pytest.approx(JUST_SHOWN * (1 - 2.0 / JUST_SHOWN_S), abs=1e-3)
@@ -253,7 +253,7 @@ def test_what_lies_nearer_to_another_stroke_is_told(understudy: Understudy) -> N
     found = plan_of(understudy, LINES[0], player(understudy))
     assert found.worths is not None
     before = replace(found.worths, just_shown={}, beside={})
-    lexeme = list(before.lexemes)[int(before.log_odds[2].argmax())]
+    lexeme = before.best(2)
     half = np.full(len(before.lexemes), 0.5, np.float32)
     after = after_what_was_shown(before, {2: half}, [0.5 * word for word in range(12)])
     lost = (after.of(2, lexeme) or 0.0) - (before.of(2, lexeme) or 0.0)
