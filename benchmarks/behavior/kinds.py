@@ -6,8 +6,8 @@
 Performs the carefully directed lines that no reader was trained on (`training.acting.directed.is_held_out`; their kinds
 were), each word with a usual duration, and scores them with score.py of the folder against the one reading that each
 has. With `--written` they are all lines of that series of our own (`training/acting/lines/KIND_3.jsonl`), held out or
-not: those that were written after the shipped reader was trained are as new to it. With `--of` they are every sixth
-line of these kinds, and `--reader` is a reader that was trained without them (`training.acting.annealing --without`).
+not: those that were written after a `--reader` was trained are as new to it. With `--of` they are every sixth line of
+these kinds, or with both all lines of these kinds in that series; `--reader` is a reader that was trained without them.
 With `--twice` only lines with a second reading count, and both readings do: what both name is asked for, what either
 names is right.
 """
@@ -21,6 +21,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from statistics import mean
 from typing import Any, TypeAlias
 
 from benchmarks.behavior.agreement import Bars, agreement, record_all
@@ -79,8 +80,9 @@ def measure(directing: Path, readings: Readings, reader: Path | None) -> dict[st
             for name in ("all", kind):
                 totals[name] += judged
                 counts[name] += 1
-    for name, total in totals.items():
-        score.show(f"{name}, {counts[name]} lines", total, counts[name])
+    shown = {name: score.show(f"{name}, {counts[name]} lines", total, counts[name]) for name, total in totals.items()}
+    kinds = [value for name, value in shown.items() if name != "all"]
+    print(f"mean of {len(kinds)} kinds: F {mean(kinds):.3f}")
     return agreement(score, totals["all"], counts["all"])
 
 
@@ -90,8 +92,9 @@ def _with_reader(understudy: Understudy, reader: Path) -> Understudy:
     return replace(understudy, behavior=replace(models, planner=planner))
 
 
-def _is_of(line: DirectedLine, series: str) -> bool:
-    return re.fullmatch(rf"[a-z]+{re.escape(series)}-\d+", line.name) is not None
+def _is_of(line: DirectedLine, series: str, kinds: Sequence[str]) -> bool:
+    of_series = re.fullmatch(rf"[a-z]+{re.escape(series)}-\d+", line.name) is not None
+    return of_series and (not kinds or line.source in kinds)
 
 
 def _is_drawn(line: DirectedLine, kinds: Sequence[str]) -> bool:
@@ -119,10 +122,10 @@ def main() -> None:
     add_record_option(parser)
     options = parser.parse_args()
     among: Callable[[DirectedLine], bool] = is_held_out
-    if options.of:
+    if options.written:
+        among = partial(_is_of, series=options.written, kinds=options.of)
+    elif options.of:
         among = partial(_is_drawn, kinds=options.of)
-    elif options.written:
-        among = partial(_is_of, series=options.written)
     readings = readings_once(options.directing, among)
     figures = measure(options.directing, with_second(readings) if options.twice else readings, options.reader)
     if options.record and among is is_held_out:

@@ -1,6 +1,7 @@
 """Anneals the reader on careful lines, with second readings and with what it read before.
 
     python -m training.acting.annealing OUT.npz [--minutes 50] [--seed N] [--measured FILE.json]
+    python -m training.acting.annealing OUT.npz --quick-share 0.3
     python -m training.acting.annealing OUT.npz --from MODEL.onnx --without npc previs [--pace 2]
 
 It begins with the shipped weights. Where a line was read twice (`lines/second/`), it is trained towards the mean of
@@ -11,11 +12,13 @@ falls to nearly 0 within the given time; OUT gets the running mean of the weight
 of before (the last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody
 teaches it: what it has never been shown of the kinds `--without` can then be measured. What is heard of a delivery is
 guessed, or drawn from what was measured in recordings (`training/acting/recordings.py`); only then are the weights of
-what is heard trained too. An eighth of the lines is held out, as in `training/acting/encoder.py`, whose needs it has.
+what is heard trained too. With `--quick-share` each epoch has only that share of the lines of `QUICK`. An eighth of the
+lines is held out, as in `training/acting/encoder.py`, whose needs it has.
 """
 
 import argparse
 import random
+import re
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -48,6 +51,9 @@ MEAN_OF_STEPS = 100
 OTHER_CHANNELS = sum(SIZES[:3])
 """The first output that is not of the hands."""
 
+QUICK = re.compile("[a-z]+[56]-")
+"""The names of the lines of two series that their readers directed very quickly (`lines/README.md`)."""
+
 TOLD_EVERY_S = 480.0
 
 Told = tuple[Encoded, Delivery]
@@ -56,14 +62,21 @@ Told = tuple[Encoded, Delivery]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Material:
-    """The lines that are trained on and those held out, what was measured in recordings, the vocabulary, and the
-    shipped reader, unless nobody teaches."""
+    """The lines that are trained on and those held out, what was measured in recordings, the vocabulary, the shipped
+    reader, unless nobody teaches, and in how many epochs the quickly read lines are."""
 
     kept: Sequence[Encoded]
     checked: Sequence[Encoded]
     voices: Voices
     vocabulary: Mapping[str, int]
     teacher: Encoder | None
+    quick_share: float = 1.0
+
+    def share(self, line: DirectedLine) -> float:
+        """The share of epochs in which a line is."""
+        if not line.careful:
+            return OLD_SHARE
+        return self.quick_share if QUICK.match(line.name) else 1.0
 
 
 def material(
@@ -163,7 +176,7 @@ def _epoch(given: Material, chance: random.Random) -> Iterator[Told]:
     """The lines of an epoch and what is heard of them, some of them cut, some joined."""
     singles: list[Encoded] = []
     for each in given.kept:
-        if not each.line.careful and chance.random() >= OLD_SHARE:
+        if chance.random() >= given.share(each.line):
             continue
         lot = 1.0 if each.line.is_delivery else chance.random()
         if lot < CUT:
@@ -272,6 +285,7 @@ def main() -> None:
     parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
     parser.add_argument("--from", dest="start", type=Path, help="a model of before, which nobody teaches")
     parser.add_argument("--without", nargs="+", default=[], help="kinds of lines that are left out")
+    parser.add_argument("--quick-share", type=float, default=1.0, help="in how many epochs quickly read lines are")
     parser.add_argument("--pace", type=float, default=1.0, help="a factor of the learning rates")
     arguments = parser.parse_args()
     torch.set_num_threads(1)
@@ -287,6 +301,7 @@ def main() -> None:
         taught=arguments.start is None,
     )
     print(f"{len(given.kept)} lines; {len(given.checked)} held out", flush=True)
+    given = replace(given, quick_share=arguments.quick_share)
     _set(reader, anneal(reader, given, arguments.minutes, arguments.seed, pace=arguments.pace))
     np.savez(arguments.output, allow_pickle=False, **reader.exported())
 

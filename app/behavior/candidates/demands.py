@@ -7,9 +7,11 @@ forbidden is no candidate, and what nobody asked for does not come either.
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 
 from ...errors import InputError, did_you_mean, shown
 from ...model import Alternative, BehaviorCandidates, Channel, Demand, Moment, Movement, Term, Utterance
+from ..reading.decoding import BOTH_AT_ONCE
 from ..reading.families import Families, Playable, family_rule, fitting
 from ..reading.player import Ban, Player
 from ..reading.strokes import STROKES_APART_S
@@ -171,9 +173,12 @@ def beside(moments: Iterable[Moment], demanded: Sequence[BehaviorCandidates]) ->
 
 
 def _lexemes_of(what: str, families: Families, behaviors: Mapping[str, Playable]) -> set[str]:
-    """The lexemes that an audience reads as a family of gestures first, and those of the behaviours of a kind."""
+    """The lexemes that an audience reads as a family of gestures first, and those of the behaviours of a kind, also
+    where it goes with another."""
     first = {lexeme for lexeme, shown in families.shows.items() if shown[0] == what}
-    return first | {behaviors[each.name].lexeme for each in families.kinds.get(what, ())}
+    kinds = (what, *(kind for kind, parts in BOTH_AT_ONCE.items() if what in parts))
+    listed = chain.from_iterable(families.kinds.get(kind, ()) for kind in kinds)
+    return first | {behaviors[each.name].lexeme for each in listed}
 
 
 def _moment(player: Player, demand: Demand, name: str) -> Moment:

@@ -7,6 +7,7 @@ is decided in `strokes.py`.
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, pairwise
+from types import MappingProxyType
 
 import numpy as np
 
@@ -18,7 +19,12 @@ USUAL_WORD_S = 0.3
 MOST_KINDS = 2
 """The most head movements, or faces, in one stretch."""
 
-DONE_ONCE = frozenset(("nod", "shake", "toss"))
+TILTED_NOD = "tilted_nod"
+BOTH_AT_ONCE: Mapping[str, tuple[str, str]] = MappingProxyType({TILTED_NOD: ("nod", "tilt")})
+"""Head movements that are two kinds at once, in place of half a stretch of each: neither is in the other's way then
+(docs/measurements/choice.md)."""
+
+DONE_ONCE = frozenset(("nod", "shake", "toss", TILTED_NOD))
 """The head movements that are over when they are made; the others, and all faces, are held."""
 
 MOST_HELD = 16
@@ -32,17 +38,14 @@ LASTING = 0.3
 Chosen on held-out lines (docs/measurements/choice.md)."""
 
 MOUTH = frozenset(("smile", "sad", "lips_pressed", "disgust"))
-"""The kinds of face made with the mouth; the others are made with brows and lids."""
+BROWS = frozenset(("brows_up", "frown", "squint", "wide_eyes"))
+"""The kinds of face made with the mouth, and those made with brows and lids; a stretch has one of each at most."""
 
 _SENTENCE_ENDS = ".!?…"
 
 _CONTRARY = (
     frozenset(("nod", "shake")),
     frozenset(("smile", "frown")),
-    frozenset(("smile", "sad")),
-    frozenset(("smile", "disgust")),
-    frozenset(("brows_up", "frown")),
-    frozenset(("wide_eyes", "squint")),
 )
 """Kinds that a face does not show, or a head does not make, in the same stretch."""
 
@@ -75,15 +78,18 @@ def spans_of(
     """The kinds (W, K) that pass their thresholds in each stretch, the clearest first, without contrary pairs.
 
     Two in one stretch follow each other in the order of their likeliest words, except that a mouth and brows go
-    together. They share it by halves, unless a rule `asked` for one on a word of the other half. Attitudes last over
-    the stretches beside their own.
+    together, and that a head nods while it is tilted (`BOTH_AT_ONCE`). They share it by halves, unless a rule `asked`
+    for one on a word of the other half. Attitudes last over the stretches beside their own.
     """
     least = np.array([thresholds[kind] for kind in kinds], np.float32)
     parts = [likely[first : last + 1] for first, last in stretches]
     levels = [stretch_level(part) / least for part in parts]
     taken = _lasting([_passing(kinds, level) for level in levels], kinds, levels)
     for (first, last), part, places in zip(stretches, parts, taken, strict=True):
-        yield from _one_after_another([(kinds[each], part[:, each]) for each in places], first, last, asked)
+        own = [(kinds[each], part[:, each]) for each in places]
+        wanted = {kind for word, kind in asked if first <= word <= last}
+        at_once = () if wanted.intersection(kind for kind, _ in own) else _at_once(own, first, last)
+        yield from at_once or _one_after_another(own, first, last, asked)
 
 
 def _passing(kinds: Sequence[str], level: SingleArray) -> list[int]:
@@ -92,7 +98,7 @@ def _passing(kinds: Sequence[str], level: SingleArray) -> list[int]:
     for place in np.argsort(-level, kind="stable").tolist():
         if level[place] < 1 or len(taken) == MOST_KINDS:
             break
-        if not any(_contrary(kinds[place], kinds[each]) for each in taken):
+        if not any(_exclude(kinds[place], kinds[each]) for each in taken):
             taken.append(place)
     return taken
 
@@ -169,13 +175,26 @@ def _mark(text: str) -> str:
     return text.rstrip("'\"”’)")[-1:]
 
 
-def _contrary(one: str, other: str) -> bool:
-    return frozenset((one, other)) in _CONTRARY
+def _exclude(one: str, other: str) -> bool:
+    """Whether a stretch has no more than one of two kinds."""
+    return frozenset((one, other)) in _CONTRARY or any({one, other} <= part for part in (MOUTH, BROWS))
 
 
 def _together(one: str, other: str) -> bool:
     """Whether two kinds of face can be shown at the same time: one with the mouth, one with brows and lids."""
-    return (one in MOUTH) != (other in MOUTH) and not _contrary(one, other)
+    return one in MOUTH | BROWS and not _exclude(one, other)
+
+
+def _at_once(taken: Sequence[tuple[str, SingleArray]], first: int, last: int) -> list[Span]:
+    """The movement that is both of the kinds of a stretch, if there is one; its stroke is that of its first kind."""
+    likely = dict(taken)
+    return [
+        Span(
+            kind, first, last, max(float(likely[part].max()) for part in parts), first + int(likely[parts[0]].argmax())
+        )
+        for kind, parts in BOTH_AT_ONCE.items()
+        if likely.keys() == set(parts)
+    ]
 
 
 def _one_after_another(

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from ...model import BehaviorCandidates, Channel, Function, Moment, RejectedAlternative, SingleArray, Term, Utterance
 from .choice_model import log_odds_of, worth_of
 from .conditions import possible_families, possible_lexemes
-from .decoding import USUAL_WORD_S, held, sentence_ends, spans_of, stretches_of, usual_times_s
+from .decoding import BOTH_AT_ONCE, USUAL_WORD_S, held, sentence_ends, spans_of, stretches_of, usual_times_s
 from .encoder import Delivery, Reading
 from .families import FamilyBehavior
 from .mimes import Mime, mimes_in
@@ -61,6 +61,9 @@ SPARING = 0.3
 
 FORBIDDEN = -30.0
 """The log-odds of what is never made."""
+
+ONE_OF_BOTH = 0.5
+"""What one of two kinds of head movement is worth where both are wanted at once."""
 
 FULL_GAIN = 1.6
 """The gain at which a gesture has importance 1."""
@@ -359,16 +362,17 @@ def _spans(worths: KindWorths, texts: Sequence[str]) -> Iterator[Moment]:
     """Head movements or faces; the stroke of each falls on its likeliest word."""
     spans = spans_of(worths.kinds, worths.likely, stretches_of(texts), worths.thresholds, asked=worths.supports)
     for span in held(spans, sentence_ends(texts)):
+        parts = BOTH_AT_ONCE.get(span.kind, ())
         yield Moment(
             id=f"moment.{worths.channel}.{span.kind}.{span.first}",
             channel=worths.channel,
             first=span.first,
             last=span.last,
             stroke=span.stroke,
-            families=(span.kind,),
+            families=(span.kind, *parts),
             importance=round(span.likely, 3),
-            shares=(round(span.likely, 3),),
-            terms=worths.parts(span.kind, span.stroke),
+            shares=(round(span.likely, 3), *(round(span.likely * ONE_OF_BOTH, 3) for _ in parts)),
+            terms=tuple(chain.from_iterable(worths.parts(kind, span.stroke) for kind in parts or (span.kind,))),
         )
 
 

@@ -163,6 +163,14 @@ def test_what_is_forbidden_comes_by_no_way(understudy: Understudy, choice: str) 
     assert "SHAKE" not in {each.lexeme for each in forbidden}
 
 
+@pytest.mark.parametrize("kind", ["nod", "tilt"])
+def test_a_nod_or_tilt_is_forbidden_also_where_the_head_does_both(understudy: Understudy, kind: str) -> None:
+    who = player(understudy)
+    forbidden = meant(kind, who.families, who.behaviors)
+    assert {each.name for each in who.families.head["tilted_nod"]} <= forbidden
+    assert not {each.name for each in who.families.head["turn"]} & forbidden
+
+
 @pytest.mark.parametrize("mode", ["semantic", "prosody", "random"])
 @pytest.mark.parametrize("choice", ["terms", "priority"])
 def test_the_reserved_man_never_points(understudy: Understudy, choice: str, mode: str) -> None:

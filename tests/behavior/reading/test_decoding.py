@@ -19,7 +19,16 @@ def test_stretches_lie_between_punctuation_neither_short_nor_long(text: str, str
     assert stretches_of(text.split()) == stretches
 
 
-THRESHOLDS = {"nod": 0.3, "shake": 0.3, "tilt": 0.3, "smile": 0.3, "sad": 0.3, "brows_up": 0.3}
+THRESHOLDS = {
+    "nod": 0.3,
+    "shake": 0.3,
+    "tilt": 0.3,
+    "turn": 0.3,
+    "smile": 0.3,
+    "sad": 0.3,
+    "brows_up": 0.3,
+    "frown": 0.3,
+}
 
 
 def spans(kinds: tuple[str, ...], *rows: tuple[float, ...]) -> list[Span]:
@@ -32,14 +41,19 @@ def test_contrary_movements_are_not_made_in_one_stretch() -> None:
 
 
 def test_two_head_movements_come_one_after_the_other() -> None:
-    made = spans(("nod", "tilt"), (0.4, 0.9), (0.4, 0.5), (0.5, 0.4), (0.9, 0.4))
-    assert [(each.kind, each.first, each.last) for each in made] == [("tilt", 0, 1), ("nod", 2, 3)]
+    made = spans(("nod", "turn"), (0.4, 0.9), (0.4, 0.5), (0.5, 0.4), (0.9, 0.4))
+    assert [(each.kind, each.first, each.last) for each in made] == [("turn", 0, 1), ("nod", 2, 3)]
+
+
+def test_a_head_that_nods_and_tilts_does_both_at_once_with_the_stroke_of_the_nod() -> None:
+    made = spans(("nod", "tilt"), (0.4, 0.9), (0.4, 0.5), (0.5, 0.4), (0.8, 0.4))
+    assert [(each.kind, each.first, each.last, each.stroke) for each in made] == [("tilted_nod", 0, 3, 3)]
+    assert made[0].likely == pytest.approx(0.9)
 
 
 @pytest.mark.parametrize(
     ("asked", "nod", "tilt"),
     [
-        ({}, (0, 1), (2, 3)),
         ({(2, "nod")}, (0, 2), (3, 3)),
         ({(3, "tilt")}, (0, 1), (2, 3)),
         ({(0, "nod")}, (0, 1), (2, 3)),
@@ -56,6 +70,12 @@ def test_a_movement_that_a_rule_asked_for_has_its_word(
 def test_a_mouth_and_brows_go_together() -> None:
     made = spans(("smile", "brows_up"), (0.9, 0.8), (0.9, 0.8))
     assert {(each.kind, each.first, each.last) for each in made} == {("smile", 0, 1), ("brows_up", 0, 1)}
+
+
+@pytest.mark.parametrize("kinds", [("smile", "sad"), ("brows_up", "frown")])
+def test_a_stretch_has_one_face_of_the_mouth_and_one_of_the_brows(kinds: tuple[str, str]) -> None:
+    (made,) = spans(kinds, (0.9, 0.8), (0.8, 0.8))
+    assert (made.kind, made.first, made.last) == (kinds[0], 0, 1)
 
 
 def spans_of_two(kinds: tuple[str, ...], *levels: tuple[float, ...]) -> set[tuple[str, int, int]]:

@@ -16,8 +16,8 @@ const FAMILIES = Object.freeze({
   heart: "from the heart", accept: "yes", dismiss: "waving it off", greet: "hello", farewell: "goodbye",
   thanks: "thanks", apologise: "sorry", please: "please", quote: "in quotes", word_search: "looking for a word",
   emblem_other: "acting it out", still: "stillness", nod: "a nod", shake: "a shake of the head",
-  tilt: "a tilt of the head", toss: "a toss of the head", turn: "a turn of the head", lean_in: "leaning in",
-  lean_back: "leaning back", brows_up: "raised brows", frown: "a frown", smile: "a smile", sad: "sadness",
+  tilt: "a tilt of the head", tilted_nod: "a tilted nod", toss: "a toss of the head", turn: "a turn of the head",
+  lean_in: "leaning in", lean_back: "leaning back", brows_up: "raised brows", frown: "a frown", smile: "a smile", sad: "sadness",
   squint: "narrowed eyes", wide_eyes: "wide eyes", lips_pressed: "pressed lips", disgust: "disgust",
   neutral: "a neutral face", listener: "the listener", target: "what is spoken of",
 });
