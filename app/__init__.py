@@ -13,9 +13,9 @@ has examples. To read the code, begin with `understudy.performance`, which runs 
 `understudy.model`, the values that pass between them.
 """
 
-from importlib import import_module
 from typing import TYPE_CHECKING
 
+from .lazy_names import imported_on_first_use
 from .version import __version__
 
 __all__ = [
@@ -169,17 +169,7 @@ else:
         "library.motion_models",
         "realizer.body.motion",
     )
-    """The modules searched for a name, the cheapest to import first."""
-
-    def __getattr__(name: str) -> object:
-        """A public name, imported at its first use (PEP 562)."""
-        if name in __all__:
-            for home in _HOMES:
-                module = import_module(f".{home}", __name__)
-                if hasattr(module, name):
-                    globals()[name] = getattr(module, name)
-                    return globals()[name]
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    __getattr__ = imported_on_first_use(__name__, frozenset(__all__), _HOMES)
 
     def __dir__() -> list[str]:
         return sorted({*globals(), *__all__})

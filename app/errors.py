@@ -9,7 +9,7 @@ from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
-from typing import TypeVar
+from typing import ClassVar, TypeVar
 
 Loaded = TypeVar("Loaded")
 
@@ -17,7 +17,10 @@ LONGEST_SHOWN = 200
 
 
 class UnderstudyError(Exception):
-    """Base class. `code` is stable and machine-readable; the message is one line for people."""
+    """Base class. `code` is stable and machine-readable; the message is one line for people, or if it `names_places`,
+    one line a mistake, each beginning with its place in a file."""
+
+    names_places: ClassVar[bool] = False
 
     def __init__(self, code: str, message: str) -> None:
         super().__init__(message)
@@ -126,6 +129,8 @@ class Mistake:
 
 class AuthoringError(UnderstudyError):
     """Files under `app/rules/` or `lexicon/` that do not load, with every mistake in them."""
+
+    names_places = True
 
     def __init__(self, mistakes: tuple[Mistake, ...]) -> None:
         super().__init__("authoring", "\n".join(str(mistake) for mistake in mistakes))

@@ -50,7 +50,7 @@ def test_importing_it_imports_nothing_else() -> None:
     )
     run = subprocess.run([sys.executable, "-c", program], check=True, capture_output=True, text=True)
     assert run.stdout.splitlines() == [
-        "['understudy', 'understudy.version']",
+        "['understudy', 'understudy.lazy_names', 'understudy.version']",
         "understudy.library.performing understudy.model.voice.speech understudy.realizer.body.motion",
     ]
 

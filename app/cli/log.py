@@ -4,18 +4,20 @@ only.
 `--json-log` gives one JSON object a line, `--quiet` errors alone. Results are never written here.
 """
 
+from __future__ import annotations
+
 import json
 import logging
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from ..errors import AuthoringError, InputError, UnderstudyError
-from ..model import Notice
-from ..profiles.annotation.model import AnnotationError
-from ..study.scoring.tables import AnswersError
+from ..errors import InputError, UnderstudyError
+
+if TYPE_CHECKING:
+    from ..model import Notice
 
 
 class Audience(StrEnum):
@@ -33,7 +35,7 @@ class Log:
     voice: Audience
 
     @classmethod
-    def for_arguments(cls, argv: Sequence[str]) -> "Log":
+    def for_arguments(cls, argv: Sequence[str]) -> Log:
         """The voice that `argv` asks for, wherever the option is: mistakes in `argv` itself are reported in it too."""
         if "--json-log" in argv:
             return cls(Audience.MACHINES)
@@ -75,7 +77,7 @@ class Log:
         if self.voice is Audience.MACHINES:
             field = error.field if isinstance(error, InputError) else None
             _write(json.dumps({"event": "error", "code": error.code, "field": field, "message": error.message}))
-        elif isinstance(error, AuthoringError | AnnotationError | AnswersError):
+        elif error.names_places:
             _write(error.message)
         else:
             _write(f"understudy: {' '.join(error.message.splitlines())}")

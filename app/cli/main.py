@@ -49,6 +49,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         arguments = make_parser().parse_args(argv)
         require_distinct(arguments)
         run = _command(arguments.command)
+        gc.enable()
         with set_by(arguments):
             code = run(arguments, log)
         with standard_output():

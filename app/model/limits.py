@@ -140,9 +140,19 @@ class GestureForm:
             {arm: ends.begun_nearer(share) for arm, ends in self.arms.items()},
         )
 
+    @property
+    def brief_stroke_s(self) -> float:
+        """The stroke of the `brief` form."""
+        share = brief_share(self.stroke_s)
+        return share * self.before_s + share * self.after_s
+
     def within(self, longest_s: float) -> "GestureForm":
         """The form as it is played in a schedule that has `longest_s` for its stroke."""
         return self.brief() if is_brief(self.stroke_s, longest_s) else self
+
+    def stroke_within_s(self, longest_s: float) -> float:
+        """The stroke of the form `within` this time."""
+        return self.brief_stroke_s if is_brief(self.stroke_s, longest_s) else self.stroke_s
 
     def size(self, amount: float | None) -> float:
         return playable_size(size_of(amount), self.stroke_speed_m_s)

@@ -7,12 +7,13 @@ imported with the first pipeline, to save memory and time where nothing is parse
 The parser is told where sentences begin, since parsers find that badly in unpunctuated speech (F about 40): at
 punctuation or, in a line without any, after long pauses. In a punctuated line a pause is a hesitation and ends nothing.
 
-Pipelines are loaded in less than half of the time that spaCy takes, because three things are left out that no pipeline
+Pipelines are loaded in less than half of the time that spaCy takes, because four things are left out that no pipeline
 needs to parse. `import spacy` brings its command line with it, and with that five HTTP, terminal and template
 libraries, a third of the time: here an empty module replaces it until the import is over, after which `spacy.cli` can
 be imported as usual. A tokenizer is first made with all the exceptions of its language, which are then replaced by
-those of the pipeline's folder: here it begins with none. And spaCy's registries search all installed entry points a
-hundred times: here they look them up.
+those of the pipeline's folder: here it begins with none. spaCy's registries search all installed entry points a
+hundred times: here they look them up. And its configurations may have schemas of pydantic's first version, if that can
+be imported: here it cannot be until spaCy is.
 """
 
 from __future__ import annotations
@@ -40,6 +41,7 @@ if TYPE_CHECKING:
     from spacy.tokenizer import Tokenizer  # type: ignore[import-not-found]
 
 _COMMAND_LINE = ("spacy.cli", "spacy.cli.info")
+_FIRST_PYDANTIC = "pydantic.v1"
 _USUAL_TOKENIZER = '[nlp.tokenizer]\n@tokenizers = "spacy.Tokenizer.v1"\n'
 _EMPTY_TOKENIZER = "understudy.EmptyTokenizer.v1"
 
@@ -50,7 +52,7 @@ def load_pipeline(where: Path | str, *, without: tuple[str, ...]) -> Language:
     Raises what spaCy raises: OSError, ValueError, ImportError, LookupError.
     """
     _group_entry_points()
-    with _no_command_line():
+    with _no_command_line(), _no_first_pydantic():
         import spacy
     changes = {"nlp.tokenizer": _no_exceptions_yet()} if _brings_its_exceptions(Path(where)) else {}
     return spacy.load(where, exclude=without, config=changes)
@@ -87,6 +89,19 @@ def _no_command_line() -> Iterator[None]:
     finally:
         for name in absent:
             del sys.modules[name]
+
+
+@contextmanager
+def _no_first_pydantic() -> Iterator[None]:
+    """Within the block `pydantic.v1` counts as not installed, unless it is imported already."""
+    if _FIRST_PYDANTIC in sys.modules:
+        yield
+        return
+    sys.modules[_FIRST_PYDANTIC] = None  # type: ignore[assignment]  # what Python's import takes for "there is none"
+    try:
+        yield
+    finally:
+        del sys.modules[_FIRST_PYDANTIC]
 
 
 def _group_entry_points() -> None:

@@ -45,6 +45,17 @@ def test_without_a_traceback_while_it_is_imported(module: str, tmp_path: Path) -
     assert list(tmp_path.iterdir()) == []
 
 
+def test_a_command_that_is_done_leaves_with_its_exit_code_after_what_its_modules_do_last() -> None:
+    """Nothing is taken apart object by object any more."""
+    code = INTERRUPTED_AT.replace(
+        "os.kill(os.getpid(), signal.SIGINT)", "import atexit; atexit.register(print, 'done last')"
+    ).replace("\nclass", "\nclass Kept:\n    def __del__(self): print('taken apart')\nsys.kept = Kept()\nclass")
+    command = [sys.executable, "-c", code, "understudy.cli.main", "gestures", "lost"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (2, "done last\n")
+    assert "lost" in done.stderr
+
+
 def test_what_an_import_makes_of_it_is_not_told(tmp_path: Path) -> None:
     """As numpy does, which turns every error of its first import into an ImportError that tells how to install it."""
     turned = INTERRUPTED_AT.replace(

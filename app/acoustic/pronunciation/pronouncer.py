@@ -3,9 +3,12 @@
 Phones are the dictionary's 39 ARPABET labels. It marks no lexical stress.
 """
 
-from collections.abc import Iterator
+import re
+from collections import defaultdict
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Self
 
 from ...errors import ServiceError
 from .graphones import GraphoneModel
@@ -36,13 +39,13 @@ class Pronunciation:
 class Pronouncer:
     """The dictionary and the model for words that are not in it; immutable and thread-safe."""
 
-    dictionary: dict[str, str]
+    dictionary: Mapping[str, str]
     graphones: GraphoneModel
 
     @classmethod
     def load(cls, dictionary: Path, graphones: Path) -> "Pronouncer":
         """Load both. Raises ServiceError if either is missing or broken."""
-        return cls(read_dictionary(dictionary), GraphoneModel.load(graphones))
+        return cls(Dictionary.read(dictionary), GraphoneModel.load(graphones))
 
     def pronounce(self, token: str) -> Pronunciation | None:
         """The pronunciation of a spoken token (see `normalisation`); None if it has no letter a to z."""
@@ -71,21 +74,52 @@ class Pronouncer:
                 yield tuple(with_s(phones) for phones in self._known(token.removesuffix(suffix)))
 
 
-def read_dictionary(path: Path) -> dict[str, str]:
-    """Words with their pronunciations, one per line, phones separated by spaces (CMU format, "read(2) R IY D").
+class Dictionary(Mapping[str, str]):
+    """Words with their pronunciations, one per line, phones separated by spaces, from a text in the CMU's format
+    ("read(2) R IY D").
 
-    Raises ServiceError `model_unreadable`.
+    A line of dialogue needs few of the 135,000, so they are looked up in the text, among the lines that begin with the
+    same two characters and stand together. Immutable and thread-safe.
     """
-    dictionary: dict[str, str] = {}
-    try:
-        with path.open(encoding="utf-8") as lines:
-            for line in lines:
-                name, _, phones = line.rstrip("\n").partition(" ")
-                word = name.partition("(")[0]
-                dictionary[word] = f"{dictionary[word]}\n{phones}" if word in dictionary else phones
-    except (OSError, UnicodeDecodeError) as error:
-        raise ServiceError("model_unreadable", f"{path} is not a pronunciation dictionary: {error}") from None
-    return dictionary
+
+    def __init__(self, text: str) -> None:
+        self._text = f"\n{text}\n"
+        self._places: Mapping[str, list[tuple[int, int]]] = defaultdict(list)
+        for alike in _BEGIN_ALIKE.finditer(self._text):
+            self._places[alike[1]].append(alike.span())
+
+    @classmethod
+    def read(cls, path: Path) -> Self:
+        """Raises ServiceError `model_unreadable`."""
+        try:
+            return cls(path.read_text(encoding="utf-8"))
+        except (OSError, UnicodeDecodeError) as error:
+            raise ServiceError("model_unreadable", f"{path} is not a pronunciation dictionary: {error}") from None
+
+    def __getitem__(self, word: str) -> str:
+        found = [*self._after(f"\n{word} "), *self._after(f"\n{word}(")] if _WORD.fullmatch(word) else []
+        if not found:
+            raise KeyError(word)
+        return "\n".join(found)
+
+    def __iter__(self) -> Iterator[str]:
+        return (line.partition(" ")[0] for line in self._text.split("\n") if line and "(" not in line)
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)
+
+    def _after(self, beginning: str) -> Iterator[str]:
+        """The phones in the lines that begin so."""
+        for first, last in self._places.get(beginning[1:3], ()):
+            place = self._text.find(beginning, first, last)
+            while place >= 0:
+                end = self._text.index("\n", place + 1)
+                yield self._text[self._text.index(" ", place) + 1 : end]
+                place = self._text.find(beginning, end, last)
+
+
+_WORD = re.compile(r"[^\s(]+")
+_BEGIN_ALIKE = re.compile(r"\n(..).*(?:\n\1.*)*")
 
 
 def with_s(phones: Phones) -> Phones:

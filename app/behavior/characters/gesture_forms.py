@@ -67,8 +67,8 @@ def _with_forms(entry: BehaviorEntry, table: GestureTable, level: Level, manner:
 def _briefest_s(forms: Forms) -> float:
     """The least stroke duration in which any of the forms can be made; forms that take little longer than their brief
     ones are made whole."""
-    longest_s = max(form.brief().stroke_s for form in forms)
-    while (needed_s := max(form.within(longest_s).stroke_s for form in forms)) > longest_s:
+    longest_s = max(form.brief_stroke_s for form in forms)
+    while (needed_s := max(form.stroke_within_s(longest_s) for form in forms)) > longest_s:
         longest_s = needed_s
     return longest_s
 

@@ -7,6 +7,7 @@ import sys
 from io import BufferedIOBase
 from typing import cast
 
+from ...loading import uncollected
 from ...settings import read_settings
 from ...text.transcript import read_transcript
 from ..files import write_standard
@@ -20,7 +21,8 @@ def run(arguments: argparse.Namespace, _log: Log) -> int:
     from ...library.language import find_functions
     from ...models import LanguageModels
 
-    language = LanguageModels.load(settings)
+    with uncollected():
+        language = LanguageModels.load(settings)
     if arguments.text is not None:
         from ...schemas.responses import FunctionsResponse
 

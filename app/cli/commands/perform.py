@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from ...errors import InputError
 from ...library.checks import check_character, check_line
 from ...library.writing import speech_file_name, write_bml_files, write_bml_json, write_json
+from ...loading import uncollected
 from ...model import PLAIN, AffectTrack, Analysis, Behavior, Function, Line, Performance
 from ...model.formats import BmlForm, is_editorial
 from ...options import Options
@@ -140,7 +141,7 @@ def _performed(
     from ...library.performing import perform_line
     from ...models import Understudy  # imported late: arguments are checked before the models load
 
-    with Understudy.load(settings) as understudy:
+    with uncollected(), Understudy.load(settings) as understudy:
         options = replace(options, reference=speaker_reference(understudy.acoustic, reference, log))
         return perform_line(understudy, line, options, log.stage)
 
@@ -203,7 +204,7 @@ def script(arguments: argparse.Namespace, log: Log) -> int:
     from ...models import Understudy  # imported late: arguments are checked before the models load
     from ...schemas.gestures.script import script_json
 
-    with Understudy.load(settings) as understudy:
+    with uncollected(), Understudy.load(settings) as understudy:
         performed = perform_line(understudy, line, options, log.stage)
     performance = performed.performance
     write(arguments.output, script_json(performed.written_script(), performance.utterance, performance.character))

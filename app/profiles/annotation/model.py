@@ -161,6 +161,8 @@ class AnnotationMistake:
 class AnnotationError(InputError):
     """Mistakes in annotation files; `mistakes` contains all of them."""
 
+    names_places = True
+
     def __init__(self, mistakes: Iterable[AnnotationMistake]) -> None:
         self.mistakes = tuple(mistakes)
         super().__init__("annotation_wrong", "\n".join(map(str, self.mistakes)), field="annotation")

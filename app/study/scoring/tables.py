@@ -124,6 +124,8 @@ MOST_TOLD = 20
 class AnswersError(InputError):
     """Mistakes in files of answers: `mistakes` contains all, the message the first `MOST_TOLD`."""
 
+    names_places = True
+
     def __init__(self, mistakes: Iterable[CellMistake]) -> None:
         self.mistakes = tuple(mistakes)
         first = list(map(str, self.mistakes[:MOST_TOLD]))

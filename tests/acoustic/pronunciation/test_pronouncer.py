@@ -8,7 +8,7 @@ import pytest
 from pocketsphinx import get_model_path
 
 from understudy.acoustic.pronunciation.graphones import GraphoneModel
-from understudy.acoustic.pronunciation.pronouncer import Pronouncer, read_dictionary, with_s
+from understudy.acoustic.pronunciation.pronouncer import Dictionary, Pronouncer, with_s
 from understudy.errors import ServiceError
 
 MODEL = Path(__file__).resolve().parents[3] / "models" / "pronunciation" / "graphones.npz"
@@ -83,6 +83,31 @@ def test_words_held_out_of_training_come_out_mostly_right(pronouncer: Pronouncer
     assert right > 0.6 * len(unseen)
 
 
+def test_a_dictionary_has_the_words_of_its_text_alone() -> None:
+    """Words of one letter, several pronunciations, and a word that stands apart from those that begin like it."""
+    lines = (
+        "a AH",
+        "a(2) EY",
+        "a's EY Z",
+        "read R EH D",
+        "read(2) R IY D",
+        "reads R IY D Z",
+        "zoo Z UW",
+        "rebel R EH B",
+    )
+    dictionary = Dictionary("\n".join(lines))
+    assert dict(dictionary) == {
+        "a": "AH\nEY",
+        "a's": "EY Z",
+        "read": "R EH D\nR IY D",
+        "reads": "R IY D Z",
+        "zoo": "Z UW",
+        "rebel": "R EH B",
+    }
+    for absent in ("", "r", "rea", "read(2)", "read R", "zoos", "é"):
+        assert absent not in dictionary
+
+
 def test_broken_models_are_named(tmp_path: Path) -> None:
     broken = tmp_path / "graphones.npz"
     with pytest.raises(ServiceError, match=r"graphones\.npz"):
@@ -94,4 +119,4 @@ def test_broken_models_are_named(tmp_path: Path) -> None:
     with pytest.raises(ServiceError, match=r"graphones\.npz"):
         GraphoneModel.load(broken)
     with pytest.raises(ServiceError, match="nowhere"):
-        read_dictionary(tmp_path / "nowhere")
+        Dictionary.read(tmp_path / "nowhere")
