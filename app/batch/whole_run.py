@@ -1,7 +1,8 @@
 """Runs a whole batch: plans it, looks up what is done already, has the rest performed, writes the reports.
 
 The manifest is updated as each line ends, after its files are written. So if the process is killed at any time, the
-same command continues with what was not finished, and no line counts as done whose files are missing.
+same command continues with what was not finished, and no line counts as done whose files are missing. A full disk ends
+the batch, since nothing that is performed then can be kept; lines under way are aborted and wait for the same command.
 
 The interface by which a batch reports its progress.
 """
@@ -12,6 +13,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Protocol
 
+from ..errors import InputError
 from ..loading import OnDemand
 from ..model.voice.signal import SpeakerReference
 from ..settings import Settings
@@ -24,7 +26,7 @@ from .reports.writing import remove_reports, reports_are_there, write_reports
 from .running.engine import Done, Engine, supervise
 from .thumbnails import read_thumbnails, remove_other_thumbnails, thumbnail_jobs, thumbnail_paths
 from .voices import keep_learnt, read_learnt
-from .work.files import clear_unfinished, unwritable, write_files
+from .work.files import DISK_FULL, clear_unfinished, unwritable, write_files
 from .work.formats import extension_of
 from .work.jobs import Failure, LineJob, LineOutcome, ReferenceJob
 
@@ -59,7 +61,8 @@ def run_batch(
     """Performs what is not done and returns the rows of all lines. `make_engine` is called only if there is something
     to do.
 
-    Raises InputError for input that cannot be used at all; problems of single lines are reported in their rows.
+    Raises InputError for input that cannot be used at all, and `disk_full`; problems of single lines are reported in
+    their rows.
     """
     plan = plan_batch(request)
     watcher.planned(plan)
@@ -136,6 +139,7 @@ def _thumbnails(
     jobs = list(thumbnail_jobs([job for _take, job in plan.jobs], paths, request.out))
     if jobs:
         for done in supervise(jobs, lambda job: engine.get().submit(job), places=engine.get().places):
+            _require_room(done.failure)
             if done.result is not None:
                 write_files(request.out, done.result.files)
     remove_other_thumbnails(paths, request.out)
@@ -205,10 +209,18 @@ def _voices(
 
 
 def _performed(waiting: Sequence[Work], engine: OnDemand[Engine], out: Path) -> Iterator[ManifestEntry]:
-    """The rows of the lines, as each line ends."""
+    """The rows of the lines, as each line ends. Raises InputError `disk_full`."""
     if waiting:
         for done in supervise(waiting, lambda work: engine.get().submit(work.job), places=engine.get().places):
-            yield _entry(done, out)
+            entry = _entry(done, out)
+            _require_room(entry.failure)
+            yield entry
+
+
+def _require_room(failure: Failure | None) -> None:
+    """Raises InputError `disk_full` where that is why a line failed: the next ones would be performed in vain."""
+    if failure is not None and failure.code == DISK_FULL:
+        raise InputError(failure.code, failure.message, field="out")
 
 
 def _entry(done: Done[Work, LineOutcome], out: Path) -> ManifestEntry:

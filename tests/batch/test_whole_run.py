@@ -5,6 +5,7 @@ import errno
 import json
 import shutil
 import sys
+from concurrent.futures import Future
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -18,11 +19,13 @@ from understudy.batch.manifest.entries import ManifestEntry, State
 from understudy.batch.manifest.hashes import installation_hash
 from understudy.batch.planning import BatchRequest
 from understudy.batch.whole_run import Nobody, run_batch
+from understudy.batch.work.files import unwritable
 from understudy.batch.work.formats import LineFormat
-from understudy.batch.work.jobs import LineJob, OutputTarget
+from understudy.batch.work.jobs import LineJob, LineOutcome, OutputTarget
 from understudy.batch.work.performing import perform_job
 from understudy.bml.writing.writer import write_bml
 from understudy.errors import InputError
+from understudy.files import replace_file
 from understudy.model import Line
 from understudy.models import Understudy
 from understudy.options import Options
@@ -184,3 +187,63 @@ def test_a_disk_that_is_full_for_a_worker_is_told_as_such(
     with pytest.raises(InputError) as raised:
         perform_job(LineJob("one", TEXT, audio, Options(), (target,), folder=tmp_path), understudy)
     assert raised.value.code == "disk_full"
+
+
+class SmallDisk:
+    """Room for so many outputs, the same for all of a batch."""
+
+    def __init__(self, room: int) -> None:
+        self.room = room
+
+    def replace_file(self, target: Path, content: bytes, *, unfinished: Path | None = None) -> None:
+        if not self.room:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        self.room -= 1
+        replace_file(target, content, unfinished=unfinished)
+
+
+def on_a_disk(room: int, patch: pytest.MonkeyPatch) -> SmallDisk:
+    disk = SmallDisk(room)
+    patch.setattr("understudy.batch.work.files.replace_file", disk.replace_file)
+    return disk
+
+
+def test_a_full_disk_ends_the_batch_which_goes_on_when_there_is_room(
+    batch: Batch, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    names = ["one", "two", "three", "four", "five", "six"]
+    for name in names[2:]:
+        shutil.copy(AUDIO / "figure8.flac", batch.folder / "audio" / f"{name}.flac")
+    batch.write(**dict.fromkeys(names, TEXT))
+    disk = on_a_disk(1, monkeypatch)
+    engine = ThisProcess(batch.models)
+    with pytest.raises(InputError, match="the disk is full; free some space") as raised:
+        run_batch(batch.request, Settings(), lambda: engine, Nobody())
+    assert raised.value.code == "disk_full"
+    assert engine.performed == names[:3]  # the one that finds no room, and the next, which is under way by then
+    assert (batch.folder / "out" / "one.bml").is_file()
+    disk.room = 100
+    performed, entries = batch.run()
+    assert performed == names[1:]
+    assert {entries[name].state for name in names} == {State.DONE}
+
+
+class WithoutRoom(ThisProcess):
+    """An engine on a disk that is full already."""
+
+    def submit(self, job: LineJob) -> "Future[LineOutcome]":
+        self.performed.append(job.id)
+        future: Future[LineOutcome] = Future()
+        future.set_exception(unwritable(OSError(errno.ENOSPC, "No space left on device"), Path("out")))
+        return future
+
+
+def test_a_full_disk_ends_a_batch_also_where_only_pictures_are_missing(batch: Batch) -> None:
+    shutil.copy(AUDIO / "figure8.flac", batch.folder / "audio" / "three.flac")
+    batch.write(one=TEXT, two=TEXT, three=TEXT)
+    batch.run()
+    engine = WithoutRoom(batch.models)
+    with pytest.raises(InputError) as raised:
+        run_batch(replace(batch.request, thumbnails=3), Settings(), lambda: engine, Nobody())
+    assert raised.value.code == "disk_full"
+    assert len(engine.performed) == 2  # of three

@@ -5,6 +5,7 @@ from concurrent.futures import Future
 from understudy.batch.work.jobs import LineJob, LineOutcome, ReferenceJob
 from understudy.batch.work.performing import perform_job
 from understudy.batch.work.worker import learn_reference
+from understudy.errors import UnderstudyError
 from understudy.model.voice.signal import SpeakerReference
 from understudy.models import Understudy
 
@@ -21,7 +22,10 @@ class ThisProcess:
     def submit(self, job: LineJob) -> "Future[LineOutcome]":
         self.performed.append(job.id)
         future: Future[LineOutcome] = Future()
-        future.set_result(perform_job(job, self.models))
+        try:
+            future.set_result(perform_job(job, self.models))
+        except UnderstudyError as error:
+            future.set_exception(error)
         return future
 
     def learn(self, job: ReferenceJob) -> "Future[SpeakerReference | None]":
