@@ -10,10 +10,12 @@ import asyncio
 import logging
 import select
 import socket
+import struct
 import sys
 import time
 from abc import ABC, abstractmethod
 from asyncio.transports import BaseTransport
+from contextlib import suppress
 from http import HTTPStatus
 from typing import Any
 
@@ -191,6 +193,7 @@ class LimitedProtocol(H11Protocol, _ReadInTurns):
     def connection_lost(self, exc: Exception | None) -> None:
         if self._checking is not None:
             self._checking.cancel()
+        _forget_unread(self.transport, self.settings)
         super().connection_lost(exc)
 
     @property
@@ -208,7 +211,7 @@ class LimitedProtocol(H11Protocol, _ReadInTurns):
         is_late = not self._is_in_request and not is_idle and now_s > self._headers_due_s
         self._extend_reading(now_s, is_unread)
         if now_s > self._read_until_s or (is_late and not is_unread):
-            self.transport.abort()
+            _reset(self.transport)
             return
         self._checking = self.loop.call_later(self.settings.idle_s, self._check)
 
@@ -226,6 +229,21 @@ def _taken_bytes(transport: asyncio.Transport) -> int:
         return -transport.get_write_buffer_size()
     told = transport.get_extra_info("socket").getsockopt(socket.IPPROTO_TCP, socket.TCP_INFO, _ACKED.stop)
     return int.from_bytes(told[_ACKED], sys.byteorder)
+
+
+def _reset(transport: asyncio.Transport) -> None:
+    """Cuts a client off. What it has not read is dropped, which the kernel would keep as long as it says it lives."""
+    transport.get_extra_info("socket").setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+    transport.abort()
+
+
+def _forget_unread(transport: asyncio.Transport, settings: Settings) -> None:
+    """Before a connection is closed: has the kernel keep what is unread only as long as we would. It took all of it, up
+    to megabytes, so that we do not know of it. Only Linux has this."""
+    if hasattr(socket, "TCP_USER_TIMEOUT"):
+        keep_ms = round(READ_IN * settings.idle_s * 1000)
+        with suppress(OSError):  # closed already
+            transport.get_extra_info("socket").setsockopt(socket.IPPROTO_TCP, socket.TCP_USER_TIMEOUT, keep_ms)
 
 
 def limited_protocol(settings: Settings) -> type[LimitedProtocol]:
@@ -272,6 +290,7 @@ class LimitedWebSocket(WebSocketsSansIOProtocol, _ReadInTurns):
     def connection_lost(self, exc: Exception | None) -> None:
         if self._looking is not None:
             self._looking.cancel()
+        _forget_unread(self.transport, self.settings)
         self._gone.set()
         super().connection_lost(exc)
 
@@ -325,7 +344,7 @@ class LimitedWebSocket(WebSocketsSansIOProtocol, _ReadInTurns):
         is_late = not self.handshake_complete and now_s > self._due_s
         is_stuck = self._stuck_since_s is not None and now_s > self._stuck_since_s + self.settings.idle_s
         if is_late or is_stuck or self._client_has_left():
-            self.transport.abort()
+            _reset(self.transport)
             return
         self._looking = self.loop.call_later(min(LOOK_EVERY_S, self.settings.idle_s), self._look)
 

@@ -218,7 +218,7 @@ def _performed(waiting: Sequence[Work], engine: OnDemand[Engine], out: Path) -> 
 
 
 def _require_room(failure: Failure | None) -> None:
-    """Raises InputError `disk_full` where that is why a line failed: the next ones would be performed in vain."""
+    """Raises InputError `disk_full` where that is why a line failed: the next ones would be performed for nothing."""
     if failure is not None and failure.code == DISK_FULL:
         raise InputError(failure.code, failure.message, field="out")
 

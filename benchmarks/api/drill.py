@@ -11,8 +11,9 @@ a 5xx other than 503 and 504 is right, as long as it is a problem with a code or
 inputs that are answered otherwise are kept in FOLDER (default out/drill). `broken.inputs` has the requests,
 `broken.streams` the messages of live streams, `broken.files` what is read from disk; `attacks` has single requests,
 `disturbances` what goes on while others ask honestly, `batch_faults` outputs that cannot be used, `clock_jumps` clocks
-that jump. What is opened in the studio's page, avatars and zip files, is attacked by the page's own tests
-(`tests/studio/stage/glb_claims.test.js`, `tests/studio/exports/zip_files.test.js`). Ends with 1 if a bar is missed.
+that jump, `unread` clients that do not read. What is opened in the studio's page, avatars and zip files, is attacked by
+the page's own tests (`tests/studio/stage/glb_claims.test.js`, `tests/studio/exports/zip_files.test.js`). Ends
+with 1 if a bar is missed.
 """
 
 import argparse
@@ -33,6 +34,7 @@ from .endurance import killed, soaked
 from .fuzzing import fuzzed
 from .lines import usual
 from .load import PARTS, USUAL_S
+from .unread import unread
 from .watching import HOST, Watched, serving, watching
 
 AFTERMATH_S = 0.3
@@ -90,6 +92,7 @@ def drill(options: argparse.Namespace) -> list[Bar]:
     if not options.no_disturbances:
         bars += disturbed(options.only)
         bars += clock_jumps() if options.only in "clock" else ()
+        bars += unread() if options.only in "unread" else ()
     if not options.no_load:
         bars += [bar for part in PARTS.values() for bar in part(USUAL_S)]
     return bars

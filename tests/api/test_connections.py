@@ -9,6 +9,7 @@ from contextlib import ExitStack, closing, contextmanager, suppress
 from http.client import HTTPConnection
 
 import h11
+import psutil
 import pytest
 import uvicorn
 from starlette.types import Receive, Scope, Send
@@ -28,6 +29,8 @@ GET = b"GET / HTTP/1.1\r\nHost: x\r\n\r\n"
 LARGE = 64 << 20
 """Bytes: more than the buffers of two sockets hold."""
 SMALL = 12 << 20
+KEPT = 3 << 20
+"""What a kernel may take all of, so that the server is done with it."""
 
 LONGEST_S = 60.0
 SOON_S = 0.1
@@ -37,11 +40,11 @@ SENT_WITHIN_S = 2.0
 
 
 async def answer(scope: Scope, receive: Receive, send: Send) -> None:
-    """Reads the body, and answers many bytes at /large, fewer at /small, two elsewhere."""
+    """Reads the body, and answers many bytes at /large, fewer at /small and /kept, two elsewhere."""
     while (await receive()).get("more_body"):
         pass
     await send({"type": "http.response.start", "status": 200})
-    sizes = {"/large": LARGE, "/small": SMALL}
+    sizes = {"/large": LARGE, "/small": SMALL, "/kept": KEPT}
     await send({"type": "http.response.body", "body": b"x" * sizes[scope["path"]] if scope["path"] in sizes else b"ok"})
 
 
@@ -149,6 +152,17 @@ def test_an_answer_that_is_read_a_few_bytes_at_a_time_ends_the_connection() -> N
                 client.recv(2)
             assert time.monotonic() < ends_s
             time.sleep(0.02)
+
+
+@pytest.mark.skipif(not hasattr(socket, "TCP_USER_TIMEOUT"), reason="Linux only")
+@pytest.mark.parametrize(("path", "more"), [(b"/large ", b""), (b"/kept ", b"Connection: close\r\n")])
+def test_the_kernel_does_not_keep_what_nobody_reads(path: bytes, more: bytes) -> None:
+    with served(idle_s=SOON_S) as (_server, connect), connect() as client:
+        client.sendall(GET.replace(b"/ ", path).replace(b"\r\n\r\n", b"\r\n" + more + b"\r\n"))
+        ends_s = time.monotonic() + LONGEST_S / 6  # a kernel gives up by itself after minutes
+        while any(each.raddr == client.getsockname() for each in psutil.net_connections("tcp")):
+            assert time.monotonic() < ends_s
+            time.sleep(0.1)
 
 
 def test_a_client_with_a_slow_line_gets_the_whole_answer() -> None:

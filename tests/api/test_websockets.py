@@ -142,6 +142,18 @@ def test_a_client_that_reads_nothing_is_cut_off() -> None:
         until(lambda: not server.server_state.connections)
 
 
+def test_a_client_that_reads_a_byte_now_and_then_is_cut_off() -> None:
+    with served(idle_s=SOON_S) as (server, application, connect), connect() as client:
+        client.sendall(HEAD.replace(b"/live", b"/flood") + b"\r\n")
+
+        def is_over_once_another_byte_is_read() -> bool:
+            with suppress(ConnectionError):
+                client.recv(1)
+            return application.left == 1 and not server.server_state.connections
+
+        until(is_over_once_another_byte_is_read)
+
+
 def test_tiny_messages_leave_the_event_loop_to_others_and_none_is_lost() -> None:
     """A connection is not read for a while after each piece with hundreds of them."""
     sent = [struct.pack("!H", number) for number in range(20_000)]
