@@ -1,29 +1,22 @@
-"""Limits on connections, below HTTP requests and WebSocket messages: their number, the time for headers and handshakes,
-and the time an answer may remain unread. A connection that exceeds one is closed; of too many, one that waits for its
-next request is.
-
-The kernel is polled for WebSockets that their clients have left, which are thus noticed even while nothing is read from
-the socket. The ASGI scope has an event for it under the extension `GONE`.
+"""Limits on connections, below HTTP requests: their number, the time for headers, the time an answer may remain unread,
+and their part of a turn of the event loop. A connection that exceeds one is closed or waits; of too many, one that
+waits for its next request is closed. Those that become WebSockets: `websockets.py`.
 """
 
 import asyncio
-import logging
-import select
 import socket
 import struct
 import sys
 import time
 from abc import ABC, abstractmethod
-from asyncio.transports import BaseTransport
+from collections import deque
+from collections.abc import Callable
 from contextlib import suppress
-from http import HTTPStatus
 from typing import Any
 
 import h11
 from uvicorn.protocols.http.h11_impl import H11Protocol
-from uvicorn.protocols.websockets.websockets_sansio_impl import WebSocketsSansIOProtocol
 
-from ..errors import LONGEST_SHOWN
 from ..settings import Settings
 from .admission.rates import Frequency
 from .problems import bad_request, connections_full
@@ -53,12 +46,16 @@ REQUESTS_A_SECOND, REQUESTS_AT_ONCE = 150.0, 1000
 """More requests than these from one address, a second for each worker, wait, whatever they ask for: answering them
 would take the event loop from others. A page of the studio asks for some two hundred files."""
 
+BEGINNINGS_S = 0.005
+"""So much processor time of a turn of the event loop goes to connections that have not asked for anything yet. Hundreds
+may come at once, and an upgrade takes a millisecond; the others, on which requests were made, wait a few turns."""
+
 LONG_PIECE_S, RESTS = 0.0003, 3
 """After a piece in parts that took longer to parse, in processor time, its connection is not read for so many times as
 long, and for each other that rests as long again: all of them together have a third of the event loop at most."""
 
 
-class _ReadInTurns(asyncio.BufferedProtocol, ABC):
+class ReadInTurns(asyncio.BufferedProtocol, ABC):
     """A protocol whose data comes in pieces of `read_bytes`."""
 
     transport: asyncio.Transport
@@ -88,7 +85,7 @@ class _ReadInTurns(asyncio.BufferedProtocol, ABC):
         took_s = time.thread_time() - began_s
         is_over = self.transport.is_closing() or self.transport.get_protocol() is not self
         if took_s > LONG_PIECE_S and self.read_bytes == READ_IN_PARTS_BYTES and not is_over:
-            others = sum(isinstance(each, _ReadInTurns) and each.is_resting for each in self.connections)
+            others = sum(isinstance(each, ReadInTurns) and each.is_resting for each in self.connections)
             self.is_resting = True
             self.transport.pause_reading()
             self.loop.call_later((1 + others) * RESTS * took_s, self._go_on)
@@ -112,11 +109,42 @@ class _ReadInTurns(asyncio.BufferedProtocol, ABC):
         """Takes a piece."""
 
 
-class LimitedProtocol(H11Protocol, _ReadInTurns):
+class Beginnings:
+    """Shares `BEGINNINGS_S` of each turn of the event loop among new connections, first come first served."""
+
+    def __init__(self) -> None:
+        self._left_s = BEGINNINGS_S
+        self._waiting: deque[Callable[[], None]] = deque()
+        self._next_turn: asyncio.Handle | None = None
+
+    @property
+    def have_time(self) -> bool:
+        return self._left_s > 0 and not self._waiting
+
+    def took(self, seconds: float, loop: asyncio.AbstractEventLoop) -> None:
+        """So much of this turn's time was used."""
+        self._left_s -= seconds
+        self._next_turn = self._next_turn or loop.call_soon(self._go_on, loop)
+
+    def wait(self, go_on: Callable[[], None], loop: asyncio.AbstractEventLoop) -> None:
+        """Calls `go_on`, which tells what it `took`, in one of the next turns."""
+        self._waiting.append(go_on)
+        self.took(0.0, loop)
+
+    def _go_on(self, loop: asyncio.AbstractEventLoop) -> None:
+        self._next_turn, self._left_s = None, BEGINNINGS_S
+        while self._waiting and self._left_s > 0:
+            self._waiting.popleft()()
+        if self._waiting:
+            self.took(0.0, loop)
+
+
+class LimitedProtocol(H11Protocol, ReadInTurns):
     """uvicorn's HTTP/1.1 protocol with the limits of `settings`."""
 
     settings: Settings
     frequency: Frequency
+    beginnings: Beginnings
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         super().connection_made(transport)
@@ -144,6 +172,8 @@ class LimitedProtocol(H11Protocol, _ReadInTurns):
     def _has_room(self) -> bool:
         """Whether there are no more connections than may be, once the one is closed whose request has been awaited
         longest; who only holds connections keeps nobody out."""
+        if len(self.connections) <= self.settings.max_connections:
+            return True
         open_ = [each for each in self.connections if not each.transport.is_closing()]
         if len(open_) <= self.settings.max_connections:
             return True
@@ -152,6 +182,22 @@ class LimitedProtocol(H11Protocol, _ReadInTurns):
         if oldest is not self:
             oldest.transport.abort()
         return oldest is not self
+
+    def buffer_updated(self, nbytes: int) -> None:
+        if self.cycle is not None or self.is_resting or self.beginnings.have_time:
+            super().buffer_updated(nbytes)
+            return
+        assert self._buffer is not None, "data was read into it"
+        self._unparsed += (bytes(self._buffer[:nbytes]),)
+        self.is_resting = True
+        self.transport.pause_reading()
+        self.beginnings.wait(self._go_on, self.loop)
+
+    def _parse(self, piece: bytes) -> None:
+        is_beginning, began_s = self.cycle is None, time.thread_time()
+        super()._parse(piece)
+        if is_beginning:
+            self.beginnings.took(time.thread_time() - began_s, self.loop)
 
     def data_received(self, data: bytes) -> None:
         if self.transport.is_closing():
@@ -193,7 +239,7 @@ class LimitedProtocol(H11Protocol, _ReadInTurns):
     def connection_lost(self, exc: Exception | None) -> None:
         if self._checking is not None:
             self._checking.cancel()
-        _forget_unread(self.transport, self.settings)
+        forget_unread(self.transport, self.settings)
         super().connection_lost(exc)
 
     @property
@@ -211,7 +257,7 @@ class LimitedProtocol(H11Protocol, _ReadInTurns):
         is_late = not self._is_in_request and not is_idle and now_s > self._headers_due_s
         self._extend_reading(now_s, is_unread)
         if now_s > self._read_until_s or (is_late and not is_unread):
-            _reset(self.transport)
+            cut_off(self.transport)
             return
         self._checking = self.loop.call_later(self.settings.idle_s, self._check)
 
@@ -231,13 +277,13 @@ def _taken_bytes(transport: asyncio.Transport) -> int:
     return int.from_bytes(told[_ACKED], sys.byteorder)
 
 
-def _reset(transport: asyncio.Transport) -> None:
+def cut_off(transport: asyncio.Transport) -> None:
     """Cuts a client off. What it has not read is dropped, which the kernel would keep as long as it says it lives."""
     transport.get_extra_info("socket").setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
     transport.abort()
 
 
-def _forget_unread(transport: asyncio.Transport, settings: Settings) -> None:
+def forget_unread(transport: asyncio.Transport, settings: Settings) -> None:
     """Before a connection is closed: has the kernel keep what is unread only as long as we would. It took all of it, up
     to megabytes, so that we do not know of it. Only Linux has this."""
     if hasattr(socket, "TCP_USER_TIMEOUT"):
@@ -249,112 +295,5 @@ def _forget_unread(transport: asyncio.Transport, settings: Settings) -> None:
 def limited_protocol(settings: Settings) -> type[LimitedProtocol]:
     """The protocol class with these settings, for uvicorn."""
     frequency = Frequency(REQUESTS_A_SECOND * settings.worker_count, REQUESTS_AT_ONCE)
-    members: dict[str, Any] = {"settings": settings, "frequency": frequency}
+    members: dict[str, Any] = {"settings": settings, "frequency": frequency, "beginnings": Beginnings()}
     return type("LimitedProtocol", (LimitedProtocol,), members)
-
-
-GONE = "understudy.gone"
-"""The ASGI scope extension with the event that is set when the connection is lost."""
-
-LOOK_EVERY_S = 1.0
-SENT_AHEAD_BYTES = 1 << 18
-"""The kernel's send buffer: seconds of frames. By default it would hold a minute, and hide that a client reads
-nothing."""
-
-_LOGGER = logging.getLogger("uvicorn.error.websocket")
-_LOGGER.setLevel(logging.WARNING)  # at INFO uvicorn logs queries, which may hold keys
-
-_LEFT = select.POLLHUP | select.POLLERR | getattr(select, "POLLRDHUP", 0)
-"""Poll events of a connection that its client has closed or reset; POLLRDHUP is Linux only."""
-
-
-class LimitedWebSocket(WebSocketsSansIOProtocol, _ReadInTurns):
-    """uvicorn's WebSocket protocol with the limits of `settings`."""
-
-    settings: Settings
-
-    def __init__(self, *arguments: Any, **named: Any) -> None:  # noqa: ANN401 - uvicorn's signature
-        super().__init__(*arguments, **named)
-        self.logger = _LOGGER
-        self.conn.logger, self.conn.debug = _LOGGER, False  # which would log headers
-        self._gone = asyncio.Event()
-        self._stuck_since_s: float | None = None
-        self._looking: asyncio.TimerHandle | None = None
-
-    def connection_made(self, transport: BaseTransport) -> None:
-        super().connection_made(transport)
-        transport.get_extra_info("socket").setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SENT_AHEAD_BYTES)
-        self._due_s = self.loop.time() + HEADERS_IN * self.settings.idle_s
-        self._look()
-
-    def connection_lost(self, exc: Exception | None) -> None:
-        if self._looking is not None:
-            self._looking.cancel()
-        _forget_unread(self.transport, self.settings)
-        self._gone.set()
-        super().connection_lost(exc)
-
-    def data_received(self, data: bytes) -> None:
-        """The first data is the whole head of the request, as read by the HTTP protocol."""
-        if self.handshake_initiated:
-            super().data_received(data)
-            return
-        self.conn.receive_data(data)
-        self.handle_events()
-        if not self.handshake_initiated:
-            self._refuse(str(self.conn.parser_exc or "its head is incomplete"))
-
-    def handle_connect(self, event: Any) -> None:  # noqa: ANN401 - of websockets
-        """Refuses a wrong handshake with a problem document, in place of the library's own answer."""
-        if self.conn.accept(event).status_code != HTTPStatus.SWITCHING_PROTOCOLS:
-            self.handshake_initiated = self.handshake_complete = self.close_sent = True
-            self._refuse(str(self.conn.handshake_exc))
-            return
-        super().handle_connect(event)
-        if not self.close_sent:
-            self.scope["extensions"][GONE] = self._gone  # type: ignore[assignment]
-
-    @property
-    def is_paused(self) -> bool:
-        return self.read_paused
-
-    def pause_writing(self) -> None:
-        self._stuck_since_s = self.loop.time()
-        super().pause_writing()
-
-    def resume_writing(self) -> None:
-        self._stuck_since_s = None
-        super().resume_writing()
-
-    async def send(self, message: Any) -> None:  # noqa: ANN401 - of ASGI
-        """Marks a handshake refused by an HTTP answer as complete, which uvicorn does not."""
-        await super().send(message)
-        if self.close_sent:
-            self.handshake_complete = True
-
-    def _refuse(self, why: str) -> None:
-        self.transport.write(bad_request(f"this request cannot become a WebSocket: {why[:LONGEST_SHOWN]}"))
-        self.transport.close()
-
-    def _look(self) -> None:
-        """Periodically: aborts a connection whose handshake is late, or whose client is stuck or gone."""
-        now_s = self.loop.time()
-        if self.transport.is_closing() and self._stuck_since_s is None:
-            self._stuck_since_s = now_s
-        is_late = not self.handshake_complete and now_s > self._due_s
-        is_stuck = self._stuck_since_s is not None and now_s > self._stuck_since_s + self.settings.idle_s
-        if is_late or is_stuck or self._client_has_left():
-            _reset(self.transport)
-            return
-        self._looking = self.loop.call_later(min(LOOK_EVERY_S, self.settings.idle_s), self._look)
-
-    def _client_has_left(self) -> bool:
-        poller = select.poll()
-        poller.register(self.transport.get_extra_info("socket").fileno(), _LEFT)
-        return bool(poller.poll(0))
-
-
-def limited_websocket(settings: Settings) -> type[LimitedWebSocket]:
-    """The protocol class with these settings, for uvicorn."""
-    members: dict[str, Any] = {"settings": settings}
-    return type("LimitedWebSocket", (LimitedWebSocket,), members)

@@ -21,8 +21,8 @@ from ..schemas.live import to_error, to_frames_skipped
 from ..settings import Settings
 from .admission.access import LETS_IN
 from .admission.keys import PROTOCOL, caller_of, offers_protocol
-from .connections import GONE
 from .service import Service
+from .websockets import GONE
 from .workers.messages import LiveInput, LiveOutput, receive_soon, send_soon
 from .workers.processes import Worker
 from .workers.streams import stopping
@@ -211,7 +211,7 @@ async def _shut_out(socket: WebSocket) -> None:
 
 
 async def _refuse(socket: WebSocket, error: UnderstudyError) -> None:
-    """Sends the error and closes, if the client still reads; otherwise `connections.py` aborts the connection."""
+    """Sends the error and closes, if the client still reads; otherwise `websockets.py` cuts the client off."""
     with suppress(RuntimeError, WebSocketDisconnect, TimeoutError, ConnectionError):
         async with asyncio.timeout(1.0):
             if socket.application_state is WebSocketState.CONNECTED:

@@ -26,8 +26,9 @@ from fastapi import FastAPI
 from ..authoring.watching import files_in_use, saves
 from ..errors import UnderstudyError
 from ..settings import Settings
-from .connections import limited_protocol, limited_websocket
+from .connections import limited_protocol
 from .service import Service
+from .websockets import limited_websocket
 
 _LOGGER = logging.getLogger(__name__)
 _ANSWERS_LEAVE_WITHIN_S = 2

@@ -12,7 +12,7 @@ import h11
 import psutil
 import pytest
 import uvicorn
-from starlette.types import Receive, Scope, Send
+from starlette.types import ASGIApp, Receive, Scope, Send
 
 from understudy.api import connections
 from understudy.api.connections import (
@@ -49,11 +49,11 @@ async def answer(scope: Scope, receive: Receive, send: Send) -> None:
 
 
 @contextmanager
-def served(**limits: float) -> Iterator[tuple[uvicorn.Server, Callable[[], socket.socket]]]:
+def served(app: ASGIApp = answer, **limits: float) -> Iterator[tuple[uvicorn.Server, Callable[[], socket.socket]]]:
     """A server within these limits, and what connects to it."""
     settings = Settings.model_validate(limits)
     config = uvicorn.Config(
-        answer, port=0, log_config=None, lifespan="off", http=limited_protocol(settings), timeout_keep_alive=60
+        app, port=0, log_config=None, lifespan="off", http=limited_protocol(settings), timeout_keep_alive=60
     )
     server = uvicorn.Server(config)
     thread = threading.Thread(target=server.run)
@@ -192,6 +192,43 @@ def taken_slowly(idle_s: float) -> tuple[int, float]:
             time.sleep(0.01)
             latest_s, before_s = max(latest_s, time.monotonic() - before_s), time.monotonic()
         return size + sum(map(len, received(client))), latest_s
+
+
+FRESH = 20
+
+
+def answered(client: socket.socket) -> bytes:
+    """One answer, which comes in chunks."""
+    come = b""
+    while not come.endswith(b"0\r\n\r\n"):
+        come += client.recv(100)
+    return come
+
+
+def test_many_new_connections_at_once_take_little_of_a_turn_from_others(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All of them send in one turn; with time for one a turn, another connection is not answered after them."""
+    monkeypatch.setattr(connections, "BEGINNINGS_S", 1e-9)
+    order, may_go_on = list[str](), threading.Event()
+
+    async def noted(scope: Scope, receive: Receive, send: Send) -> None:
+        order.append(scope["path"])
+        await answer(scope, receive, send)
+
+    with served(noted) as (server, connect), connect() as known, ExitStack() as stack:
+        known.sendall(GET)
+        assert answered(known).startswith(b"HTTP/1.1 200")
+        fresh = [stack.enter_context(connect()) for _ in range(FRESH)]
+        while len(server.server_state.connections) <= FRESH:
+            time.sleep(0.01)
+        server.servers[0].get_loop().call_soon_threadsafe(may_go_on.wait)
+        for each in fresh:
+            each.sendall(GET.replace(b"/ ", b"/fresh "))
+        known.sendall(GET.replace(b"/ ", b"/known "))
+        may_go_on.set()
+        for each in (known, *fresh):
+            assert answered(each).startswith(b"HTTP/1.1 200")
+    assert order.count("/fresh") == FRESH
+    assert order.index("/known") < FRESH / 2
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,8 @@ import pytest
 import uvicorn
 from starlette.types import Receive, Scope, Send
 
-from understudy.api.connections import GONE, limited_protocol, limited_websocket
+from understudy.api.connections import limited_protocol
+from understudy.api.websockets import GONE, limited_websocket
 from understudy.settings import Settings
 
 LONGEST_S = 60.0

@@ -12,8 +12,9 @@ import uvicorn
 from fastapi import FastAPI
 
 from understudy.api.application import create_app
-from understudy.api.connections import limited_protocol, limited_websocket
+from understudy.api.connections import limited_protocol
 from understudy.api.service import Service
+from understudy.api.websockets import limited_websocket
 from understudy.api.workers.processes import Nursery
 from understudy.settings import Settings
 
