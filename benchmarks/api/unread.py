@@ -48,10 +48,10 @@ def unread() -> Iterator[Bar]:
         yield Bar(f"{name}: cut off", f"{took:.1f} s", f"{CUT_OFF_WITHIN_S:g} s", took <= CUT_OFF_WITHIN_S)
 
 
-def _held(service: Running) -> set[tuple[str, int]]:
+def _held(service: Running) -> set[tuple[object, ...]]:
     """The other ends of all connections that the kernel keeps for the service."""
     found = psutil.net_connections("tcp")
-    return {(each.raddr.ip, each.raddr.port) for each in found if each.raddr and each.laddr.port == service.port}
+    return {tuple(each.raddr) for each in found if each.raddr and each.laddr[1:] == (service.port,)}
 
 
 def _connected(port: int) -> socket.socket:

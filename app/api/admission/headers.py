@@ -17,6 +17,7 @@ from starlette.datastructures import MutableHeaders
 from starlette.middleware.cors import CORSMiddleware
 
 _USUAL_PORTS = {"http": 80, "https": 443}
+_PORT = re.compile(r":\d{0,5}", re.ASCII)
 
 
 def is_allowed(host: str | None, allowed: Sequence[str]) -> bool:
@@ -51,12 +52,17 @@ def is_own_page(origin: str, host: str | None, allowed: Collection[str]) -> bool
 
 
 def _name(host: str | None) -> str:
-    """Without its port, in lower case; IPv6 keeps its brackets. Empty if it is not a name."""
+    """Without its port, in lower case; IPv6 keeps its brackets. Empty if it is not a name, or the port no number."""
     host = (host or "").lower()
     if host.startswith("["):
         name, closed, port = host.partition("]")
-        return name + closed if not port or port.startswith(":") else ""
-    return (host if host.count(":") > 1 else host.partition(":")[0]).rstrip(".")
+        name += closed
+    elif host.count(":") > 1:
+        name, port = host, ""
+    else:
+        name, colon, port = host.partition(":")
+        port = colon + port
+    return name.rstrip(".") if not port or _PORT.fullmatch(port) else ""
 
 
 _EVERY_ANSWER = {

@@ -53,10 +53,15 @@ class ApiKeys:
         """Raises InputError `setting_wrong` for a short key, a file that cannot be read or has none, a date that is
         none."""
         given = settings.api_keys.get_secret_value() if settings.api_keys else ""
-        lines = given.replace(",", " ").split()
+        parts = {f"{PREFIX}API_KEYS": given.replace(",", " ").split()}
         if settings.api_keys_file:
-            lines += _lines_in(settings.api_keys_file)
-        return cls(tuple(dict.fromkeys(_key(number, line) for number, line in enumerate(lines, 1))))
+            parts[f"{PREFIX}API_KEYS_FILE: {settings.api_keys_file}"] = _lines_in(settings.api_keys_file)
+        keys = (
+            _key(f"{place}: API key {number}", line)
+            for place, lines in parts.items()
+            for number, line in enumerate(lines, 1)
+        )
+        return cls(tuple(dict.fromkeys(keys)))
 
     @property
     def are_asked(self) -> bool:
@@ -141,12 +146,12 @@ def _protocols(headers: Headers) -> list[str]:
     return [each.strip() for each in ",".join(headers.getlist("sec-websocket-protocol")).split(",")]
 
 
-def _key(number: int, line: str) -> ApiKey:
+def _key(place: str, line: str) -> ApiKey:
     """A key, after which `expires=` and a date or time may stand, in UTC if it does not say otherwise."""
     key, *further = line.split()
     if len(key) < FEWEST_CHARACTERS:
-        message = f"API key {number} has {len(key)} characters; give each {FEWEST_CHARACTERS} or more"
-        raise InputError("setting_wrong", f"{PREFIX}API_KEYS: {message}")
+        message = f"{place} has {len(key)} characters; give each {FEWEST_CHARACTERS} or more"
+        raise InputError("setting_wrong", message)
     digest = sha256(key.encode()).digest()
     if not further:
         return ApiKey(digest)
@@ -154,8 +159,8 @@ def _key(number: int, line: str) -> ApiKey:
         [when] = [each.removeprefix(_EXPIRES) for each in further if each.startswith(_EXPIRES)]
         found = datetime.fromisoformat(when)
     except ValueError:
-        message = f"API key {number}: a key may only be followed by {_EXPIRES} and a date, such as 2030-01-31"
-        raise InputError("setting_wrong", f"{PREFIX}API_KEYS: {message}") from None
+        message = f"{place}: a key may only be followed by {_EXPIRES} and a date, such as 2030-01-31"
+        raise InputError("setting_wrong", message) from None
     return ApiKey(digest, (found if found.tzinfo else found.replace(tzinfo=UTC)).timestamp())
 
 

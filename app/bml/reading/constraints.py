@@ -172,6 +172,7 @@ def _apart(tie: Tie, points: Mapping[str, Points], known: KnownPoints) -> Iterat
     ]
     anchor, anchor_s = next(((time, time_s) for time, time_s in times_s if time_s is not None), (None, None))
     if anchor is None or anchor_s is None:
+        yield from (_untimed(time) for time in tie)
         return
     for time, time_s in times_s:
         if time_s is None or abs(time_s - anchor_s) >= APART_S:
@@ -181,15 +182,24 @@ def _apart(tie: Tie, points: Mapping[str, Points], known: KnownPoints) -> Iterat
 
 
 def _out_of_order(offer: Element, points: Mapping[str, Points], known: KnownPoints) -> Iterator[Notice]:
-    at_s = time_of(offer.attributes.get("ref"), points, known)
+    other = offer.attributes.get("ref")
+    at_s = time_of(other, points, known)
     if at_s is None:
+        if isinstance(other, Reference):
+            yield _untimed(other)
         return
     sign = 1 if offer.name == "after" else -1
     for ref in _refs(offer):
         time_s = time_of(ref, points, known)
-        if time_s is not None and sign * (time_s - at_s) < 0:
+        if time_s is None:
+            yield _untimed(ref)
+        elif sign * (time_s - at_s) < 0:
             message = f"{text_of(ref)} comes at {time_s:.3f} s, which is not {offer.name} {at_s:.3f} s as asked"
             yield Notice("bml_constraint_missed", message)
+
+
+def _untimed(point: Time) -> Notice:
+    return Notice("bml_constraint_missed", f"{text_of(point)} has no time here, so that its constraint cannot be met")
 
 
 def time_of(time: Value | None, points: Mapping[str, Points], known: KnownPoints) -> float | None:

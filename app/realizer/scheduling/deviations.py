@@ -25,11 +25,13 @@ def unplayable_behaviors(
 ) -> tuple[Decision, ...]:
     """A decision for each kept head movement, posture or gaze that is not played, or not as scheduled.
 
-    If all gazes have the same target, it is the other person, whose position is known under any name.
+    If all gazes have the same target, it is the other person, whose position is known under any name; coordinates that
+    cannot be read are nobody's name.
     """
     kept = [behavior for behavior in schedule.behaviors if behavior.kept]
     looked_at = {each.target for each in kept if each.kind is Channel.GAZE and each.target}
-    placed = {LISTENER, *targets_m, *(looked_at if len(looked_at) == 1 else ())}
+    other = looked_at if len(looked_at) == 1 and not any("," in name for name in looked_at) else ()
+    placed = {LISTENER, *targets_m, *other}
     found = ((behavior.id, _trouble(behavior, placed)) for behavior in kept)
     return tuple(Decision(name, *trouble) for name, trouble in found if trouble is not None)
 

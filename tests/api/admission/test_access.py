@@ -116,7 +116,9 @@ def test_on_loopback_without_keys_its_own_names_are_right(host: str) -> None:
     assert _asked(_client(), Host=host)[0] == 200
 
 
-@pytest.mark.parametrize("host", ["evil.example", "127.0.0.1.evil.example", "localhost.evil.example", "192.0.2.1", ""])
+@pytest.mark.parametrize(
+    "host", ["evil.example", "127.0.0.1.evil.example", "localhost.evil.example", "localhost:8000.evil", "192.0.2.1", ""]
+)
 def test_on_loopback_without_keys_no_other_name_is(host: str) -> None:
     assert _asked(_client(), Host=host) == (421, "host_unknown")
     assert _asked(_client(api_keys=SecretStr(KEY)), Host=host, **WITH_KEY)[0] == 200

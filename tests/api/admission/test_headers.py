@@ -16,7 +16,10 @@ def test_names_that_are_allowed(host: str) -> None:
 
 @pytest.mark.parametrize(
     "host",
-    [None, "", "evil.example", "xlines.example", "studio.example", "lines.example.evil.example", "[::2]", "[::1].evil"],
+    [
+        *(None, "", "evil.example", "xlines.example", "studio.example", "lines.example.evil.example"),
+        *("[::2]", "[::1].evil", "lines.example:80.evil", "[::1]:80.evil"),
+    ],
 )
 def test_all_others_are_not_but_where_any_is(host: str | None) -> None:
     assert not is_allowed(host, ALLOWED)

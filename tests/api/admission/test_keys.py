@@ -112,7 +112,7 @@ def test_what_else_stands_after_a_key_is_told_without_it(tmp_path: Path, further
     (tmp_path / "keys").write_text(f"{ONE} {further}\n")
     with pytest.raises(InputError) as caught:
         _keys(file=tmp_path / "keys")
-    assert "API key 1" in caught.value.message
+    assert f"API_KEYS_FILE: {tmp_path / 'keys'}: API key 1" in caught.value.message
     assert ONE not in caught.value.message
 
 

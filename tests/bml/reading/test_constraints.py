@@ -139,6 +139,19 @@ def test_a_point_of_what_has_no_time_is_told() -> None:
     assert missed == ["h1:start has no time, not at 3.000 s together with 3.000 as asked"]
 
 
+@pytest.mark.parametrize(
+    ("constraint", "points"),
+    [
+        ('<after ref="b7:g1:end"><sync ref="h1:start"/></after>', ["b7:g1:end"]),
+        ('<before ref="2"><sync ref="h1:start"/><sync ref="b7:g1:end"/></before>', ["b7:g1:end"]),
+        ('<synchronize><sync ref="b7:g1:end"/><sync ref="b8:g1:end"/></synchronize>', ["b7:g1:end", "b8:g1:end"]),
+    ],
+)
+def test_a_constraint_on_a_point_without_a_time_is_told(constraint: str, points: list[str]) -> None:
+    _found, missed = synced(f'<head id="h1" lexeme="NOD"/><constraint>{constraint}</constraint>')
+    assert missed == [f"{point} has no time here, so that its constraint cannot be met" for point in points]
+
+
 def test_many_constraints_of_many_behaviours_are_read_in_time() -> None:
     """They were quadratic, and each constraint resolves the block anew."""
     heads = "".join(f'<head id="h{n}" lexeme="NOD" start="h{n + 1}:end"/>' for n in range(400))

@@ -49,6 +49,11 @@ def test_a_target_that_is_nowhere_is_told_unless_it_is_the_other_in_the_talk() -
     assert unplayable_behaviors(schedule(door)) == ()
 
 
+def test_coordinates_that_cannot_be_read_are_not_taken_for_the_other() -> None:
+    (told,) = unplayable_behaviors(schedule(behavior(Channel.GAZE, "LOOK", 1.0, 1.2, 2.0, 2.2, target="1,1")))
+    assert told.reason == "'1,1' has no position: the gaze goes to the listener"
+
+
 def test_repetitions_that_there_is_no_time_for_are_told() -> None:
     hurried = behavior(Channel.HEAD, "NOD", 1.0, 1.5, repetitions=6)
     assert [(each.action, each.reason) for each in unplayable_behaviors(schedule(hurried))] == [
