@@ -49,6 +49,7 @@ class Manifest:
             with _translated_errors(folder):
                 self._connection = sqlite3.connect(folder / FILE, isolation_level=None)
                 _require_readable_version(self._connection, folder)
+                _require_tables_alone(self._connection)
                 self._connection.execute("PRAGMA journal_mode = WAL")
                 self._connection.execute("PRAGMA synchronous = NORMAL")
                 self._connection.executescript(_SCHEMA.read_text(encoding="utf-8"))
@@ -158,6 +159,14 @@ def _require_readable_version(connection: sqlite3.Connection, folder: Path) -> N
         connection.close()
         message = f"{folder / FILE}: written by a later version of understudy; use that one, or give another --out"
         raise InputError("manifest_newer", message, field="out")
+
+
+def _require_tables_alone(connection: sqlite3.Connection) -> None:
+    """Raises ValueError for what runs when it is read or written, perhaps for ever."""
+    found = connection.execute("SELECT type, name FROM sqlite_master WHERE type IN ('view', 'trigger')").fetchone()
+    if found:
+        kind, name = found
+        raise ValueError(f"it has a {kind}, {shown(name)}")
 
 
 def _checked(row: tuple[object, ...], folder: Path, folders: dict[PurePath, bool]) -> ManifestEntry:

@@ -154,6 +154,24 @@ def test_the_manifest_of_a_later_version_is_refused_and_left_alone(tmp_path: Pat
     assert (tmp_path / FILE).read_bytes() == before
 
 
+@pytest.mark.parametrize(
+    "made",
+    [
+        "DROP TABLE lines;"
+        "CREATE VIEW lines AS WITH RECURSIVE r(a) AS (SELECT 1 UNION ALL SELECT a FROM r) SELECT a FROM r",
+        "CREATE TRIGGER put AFTER INSERT ON lines BEGIN DELETE FROM recordings; END",
+    ],
+    ids=["view", "trigger"],
+)
+def test_a_manifest_with_more_than_tables_is_refused_before_it_is_read(made: str, tmp_path: Path) -> None:
+    Manifest(tmp_path).close()
+    with closing(sqlite3.connect(tmp_path / FILE)) as other:
+        other.executescript(made)
+    with pytest.raises(InputError, match=r"it has a (view, 'lines'|trigger, 'put')") as raised:
+        Manifest(tmp_path)
+    assert raised.value.code == "manifest_unreadable"
+
+
 def test_a_full_disk_is_no_broken_manifest(tmp_path: Path) -> None:
     with Manifest(tmp_path) as manifest:
         manifest.put([DONE])
