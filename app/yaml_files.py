@@ -69,7 +69,7 @@ class Source:
         try:
             return schema.model_validate(self.value)
         except ValidationError as error:
-            found = [(tuple(each["loc"]), _readable(each, schema)) for each in error.errors()]
+            found = ((tuple(each["loc"]), _readable(each, schema)) for each in error.errors())
             raise _wrong(self.mistake(*each) for each in found) from None
 
     def mistake(self, location: Sequence[str | int], message: str) -> Mistake:
@@ -112,12 +112,15 @@ class Source:
                 raise AuthoringError((self._at(event.start_mark, f"more than {MOST_NODES} keys and values"),))
             if isinstance(event, yaml.AliasEvent) or getattr(event, "anchor", None) or getattr(event, "tag", None):
                 hidden.append(self._at(event.start_mark, "anchors, aliases and tags are not allowed"))
+                if len(hidden) > MOST_MISTAKES:
+                    break
         if hidden:
             raise _wrong(hidden)
 
     def _refuse_wrong_keys(self) -> None:
         """Refuses duplicate keys, and keys that are lists or mappings."""
-        mistakes = [self._at(key.start_mark, message) for key, message in _wrong_keys(self._root)]
+        found = islice(_wrong_keys(self._root), MOST_MISTAKES + 1)
+        mistakes = [self._at(key.start_mark, message) for key, message in found]
         if mistakes:
             raise _wrong(mistakes)
 
