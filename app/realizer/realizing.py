@@ -21,7 +21,7 @@ from .body.motion import BodyMotion, Decision, Motion
 from .body.movement_style import Ends, MovementStyle
 from .body.proportions import Proportions
 from .body.skeleton import Skeleton
-from .dynamics.calming import calm_arms, calm_head
+from .dynamics.calming import calm_arms, calm_fingers, calm_head
 from .dynamics.take_ends import ease_ends, eased_at_the_ends
 from .exporting.retargeting import Rig, find_rig, load_rigs
 from .face.blendshapes import face_weights
@@ -242,6 +242,7 @@ def _keep_apart_and_calm(skeleton: Skeleton, body: BodyMotion, ends: Ends) -> Co
             break
         again, posed = kept_apart(skeleton, body)
         found = found.and_then(again)
+    calm_fingers(skeleton, body)  # no limb is where it is because of them
     return found
 
 

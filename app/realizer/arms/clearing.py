@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...model import FloatArray
-from ..body.contacts import BUILD, LIMBS, PAIRS, Contacts, PosedBody, contacts, radii_m
+from ..body.contacts import BUILD, LIMBS, PAIRS, Contacts, Point, PosedBody, contacts, radii_m
 from ..body.skeleton import SIDES, Skeleton
 from ..geometry.curves import clipped
 from ..geometry.rotations import angle_between, length
@@ -20,6 +20,9 @@ _ROUNDS = 16
 _LEAST_SHARE = 0.25
 """Of the wrist in what moves a forearm: an elbow in the belly, turned about the line from shoulder to wrist alone, may
 slide along the belly and never come out."""
+
+_ELBOW_WITH_WRIST = 0.5
+"""How far an elbow is led aside with its wrist."""
 
 
 def _together() -> tuple[list[int], ...]:
@@ -33,31 +36,41 @@ _TOGETHER = _together()
 
 
 @dataclass(frozen=True, slots=True)
+class Aside:
+    """How far the wrist of an arm is led beside its own way, in metres in the world."""
+
+    side: str
+    by_m: Point
+
+
+@dataclass(frozen=True, slots=True)
 class ClearingMode:
     """How a stretch is cleared: displacements are blended over `swell` frames, no joint turns by more than `most_rad`
     from frame to frame unless it did before, and limbs leave what they are in on the side on which they are on the
     whole, or, where that does not do, `as_it_ends`: on that on which they come out last, as hands that fold on their
-    way to rest must."""
+    way to rest must. Last of all an arm goes by another way from the beginning: `aside` of its own throughout."""
 
     swell: int
     most_rad: float
     as_it_ends: bool = False
+    aside: Aside | None = None
+    rounds: int = _ROUNDS
 
 
 def cleared(skeleton: Skeleton, start: PosedBody, way: ClearingMode, weights: FloatArray) -> tuple[FloatArray, float]:
     """The local rotations of a stretch of frames after the round with the least penetration, and its depth in metres;
     displacements are times `weights` (F, 1)."""
     found = contacts(skeleton, start)
-    nothing = np.zeros((len(start.rotations), 3))
-    pushes = dict.fromkeys(SIDES, Displacement(nothing, nothing))
+    pushes = {side: _to_begin_with(way, side, len(start.rotations)) for side in SIDES}
     way_out = np.zeros_like(found.out)
     arms = skeleton.chain(*(side + name for side in SIDES for name in ("UpperArm", "LowerArm", "Hand")))
     least_m, rotations = float(found.depth_m.max()), start.rotations
     most_rad = max(way.most_rad, _farthest_turn_rad(rotations.take(arms, axis=1)))
-    for _round in range(_ROUNDS):
-        way_out = _way_out(found, way_out, way)
-        one_way = _one_way(found, way_out, radii_m(skeleton))
-        pushes = {side: push.and_then(_push(one_way, side)) for side, push in pushes.items()}
+    for number in range(way.rounds):
+        if number or not way.aside:
+            way_out = _way_out(found, way_out, way)
+            one_way = _one_way(found, way_out, radii_m(skeleton))
+            pushes = {side: push.and_then(_push(one_way, side)) for side, push in pushes.items()}
         swelling = {side: push.swelling(way.swell, weights) for side, push in pushes.items()}
         body = start.with_arms(skeleton, displaced(skeleton, start, swelling))
         found = contacts(skeleton, body)
@@ -66,6 +79,13 @@ def cleared(skeleton: Skeleton, start: PosedBody, way: ClearingMode, weights: Fl
         if found.depth_m.max() <= 0:
             break
     return rotations, least_m
+
+
+def _to_begin_with(way: ClearingMode, side: str, frames: int) -> Displacement:
+    """How an arm is displaced (F, 3) before anything is found in its way."""
+    by_m = way.aside.by_m if way.aside and way.aside.side == side else (0.0, 0.0, 0.0)
+    wrist_m = np.tile(by_m, (frames, 1))
+    return Displacement(wrist_m, _ELBOW_WITH_WRIST * wrist_m)
 
 
 def _farthest_turn_rad(rotations: FloatArray) -> float:

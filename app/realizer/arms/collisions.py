@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FloatArray
-from ..body.contacts import BUILD, PAIRS, PosedBody, depths_m
+from ..body.contacts import BUILD, PAIRS, Point, PosedBody, depths_m
 from ..body.limits import clamp
 from ..body.motion import BodyMotion, Decision
 from ..body.skeleton import SIDES, Skeleton
-from .clearing import ClearingMode, cleared
+from .clearing import Aside, ClearingMode, cleared
 from .displacements import around, frames_in, stretches, taper
 
 _SWELLS_S = (0.18, 0.27, 0.36)
@@ -27,6 +27,19 @@ _FASTEST_RAD_S = (19.0, 28.0)
 """How fast joints may turn to get limbs out; faster only where something stays inside: it can be calmed after."""
 _TOLERATED_M = 0.001
 _ATTEMPTS = 3
+_ASIDE_M, _ASIDE_ROUNDS = (0.05, 0.1, 0.18), 4
+_ASIDE: tuple[Point, ...] = (
+    (1.0, 0.0, 0.0),
+    (0.0, 1.0, 0.0),
+    (0.0, 0.0, 1.0),
+    (0.7, 0.7, 0.0),
+    (0.7, 0.0, 0.7),
+    (0.0, 0.7, 0.7),
+    (0.0, -1.0, 0.0),
+    (0.7, -0.7, 0.0),
+    (0.0, 0.0, -1.0),
+)
+"""Where an arm may be led aside: outward, up and ahead of its own way."""
 _FRAMES_AT_ONCE = 2048
 """Frames that are brought within limits at a time, so that long takes need little more memory."""
 
@@ -117,14 +130,24 @@ def _left_inside(skeleton: Skeleton, body: BodyMotion, inside: NDArray[np.bool_]
     """Clear the stretches around the frames that are `inside` something, in place, each in the first way that does; the
     stretches for which none does, cleared in the one that does best."""
     left_m: dict[ClearingMode, float] = {}
-    step_s = _SWELLS_S[0] / frames_in(body.times_s, _SWELLS_S[0])
-    for fastest_rad_s, as_it_ends, swell_s in product(_FASTEST_RAD_S, (False, True), _SWELLS_S):
-        way = ClearingMode(frames_in(body.times_s, swell_s), fastest_rad_s * step_s, as_it_ends)
+    for way in _ways(body.times_s):
         found = _cleared(skeleton, body, inside, way)
         left_m[way] = max(each.left_m for each in found)
         if left_m[way] <= _TOLERATED_M:
             return ()
     return _cleared(skeleton, body, inside, min(left_m, key=left_m.__getitem__), at_most_m=np.inf)
+
+
+def _ways(times_s: FloatArray) -> Iterator[ClearingMode]:
+    """How limbs may leave what they are in, what changes least first: led aside, little before far, only where nothing
+    else does, as where one arm passes through the other too quickly for either to give way."""
+    step_s = _SWELLS_S[0] / frames_in(times_s, _SWELLS_S[0])
+    for fastest_rad_s, as_it_ends, swell_s in product(_FASTEST_RAD_S, (False, True), _SWELLS_S):
+        yield ClearingMode(frames_in(times_s, swell_s), fastest_rad_s * step_s, as_it_ends)
+    swell = frames_in(times_s, _SWELLS_S[1])
+    for fastest_rad_s, far_m, side, (outward, up, ahead) in product(_FASTEST_RAD_S, _ASIDE_M, SIDES, _ASIDE):
+        by_m = far_m * (outward if side is SIDES[0] else -outward), far_m * up, far_m * ahead
+        yield ClearingMode(swell, fastest_rad_s * step_s, aside=Aside(side, by_m), rounds=_ASIDE_ROUNDS)
 
 
 def _cleared(

@@ -40,6 +40,9 @@ BY_THEMSELVES = FastestArms(2.5, 16.0, ARM_ROWS)
 IN_THE_WORLD = FastestArms(2.9, 18.5, slice(0, 4))
 """The limits in the world, such that in the result no wrist is faster than 3 m/s, and no hand or arm turns faster than
 20 rad/s."""
+FINGERS = FastestArms(np.inf, 18.5, slice(None))
+"""The limit of thumbs and fingers in all."""
+_FINGER_ROWS = slice(4, 19)
 
 FASTEST_HEAD_RAD_S = radians(245.0)
 """The limit of the head in the world, somewhat below the 250°/s that no frame may exceed."""
@@ -72,6 +75,18 @@ def calm_arms(skeleton: Skeleton, body: BodyMotion, posed: PosedBody | None = No
         return False
     keep_signs(arms)
     _calmed(arms, body.times_s, _carried(skeleton, posed), IN_THE_WORLD)
+    return True
+
+
+def calm_fingers(skeleton: Skeleton, body: BodyMotion) -> bool:
+    """Smooth thumbs and fingers, in place, around frames in which they turn too fast: shapes may change quickly, and
+    what drags behind a wrist is added to that. Returns whether there are any."""
+    fingers = skeleton.arms(body.rotations)[:, :, _FINGER_ROWS]
+    nowhere_m = np.zeros((2, len(fingers), 3))
+    if not _fast(nowhere_m, fingers, _step_s(body.times_s), FINGERS).any():
+        return False
+    keep_signs(fingers)
+    _calmed(fingers, body.times_s, lambda _some, frames: nowhere_m[:, frames], FINGERS)
     return True
 
 

@@ -100,28 +100,42 @@ def test_a_joint_past_its_limit_is_brought_back() -> None:
     assert violations(BODY, cleared.rotations).max() == 0
 
 
+CHEST = SectorPlace(Sideways.CC, HeightSector.CC, Depth.NEAR, (0.0, 0.0, -0.28))
+BELLY = SectorPlace(Sideways.OPP_P, HeightSector.LOWER_P, Depth.NEAR, (0.0, 0.0, -0.35))
+
+
+def through(place: SectorPlace, there_s: float) -> BodyMotion:
+    """The left hand from its side to a place within the body in that time, and straight back."""
+    body, start = moving((Hand.LEFT, BEFORE)), rest(Hand.LEFT)
+    poses = start, start, pose_arm(BODY, Hand.LEFT, ArmKey(place)).over(start), start
+    track = tuple(map(TimedPose, (0.0, 1.0, 1.0 + there_s, 1.0 + 2 * there_s), poses))
+    body.rotations[:, BODY.chain(*arm_joints(Hand.LEFT))] = arm_motion(ArmTrack(Hand.LEFT, track), TIMES_S, seed=0)
+    return body
+
+
 @pytest.mark.parametrize(
-    "place",
-    [
-        SectorPlace(Sideways.OPP_P, HeightSector.LOWER_P, Depth.NEAR, (0.0, 0.0, -0.35)),
-        SectorPlace(Sideways.CC, HeightSector.CC, Depth.NEAR, (0.0, 0.0, -0.28)),
-    ],
+    ("place", "there_s"),
+    [(BELLY, 0.12), (CHEST, 0.07)],
     ids=["belly", "chest, too quickly to be seen again"],
 )
-def test_what_cannot_be_cleared_without_a_jump_is_told(place: SectorPlace) -> None:
-    """A hand that is through the body for a sixth of a second cannot be before it in time."""
-    body = moving((Hand.LEFT, BEFORE))
-    behind = pose_arm(BODY, Hand.LEFT, ArmKey(place))
-    start = rest(Hand.LEFT)
-    track = (TimedPose(0.0, start), TimedPose(1.0, start), TimedPose(1.12, behind.over(start)), TimedPose(1.24, start))
-    through = body.rotations.copy()
-    through[:, BODY.chain(*arm_joints(Hand.LEFT))] = arm_motion(ArmTrack(Hand.LEFT, track), TIMES_S, seed=0)
-    cleared = BodyMotion(TIMES_S, through.copy(), body.hips_m)
+def test_what_cannot_be_cleared_without_a_jump_is_told(place: SectorPlace, there_s: float) -> None:
+    """A hand that is through the body for a tenth of a second cannot be before it in time."""
+    body = through(place, there_s)
+    cleared = body.copy()
     found = resolve_collisions(BODY, cleared)
-    fastest = [angle_between(each[1:], each[:-1]).max() * RATE_HZ for each in (through, cleared.rotations)]
+    fastest = [angle_between(each[1:], each[:-1]).max() * RATE_HZ for each in (body.rotations, cleared.rotations)]
     assert fastest[1] <= max(20.0, fastest[0] + 1e-6)
     assert (deepest_m(cleared) > 0.001) == ("kept" in {decision.action for decision in found.decisions})
-    assert deepest_m(cleared) < deepest_m(BodyMotion(TIMES_S, through, body.hips_m))
+    assert deepest_m(cleared) < deepest_m(body)
+
+
+def test_an_arm_goes_another_way_where_it_cannot_leave_in_time() -> None:
+    """A hand that is through the chest for a quarter of a second is led beside it."""
+    body = through(CHEST, 0.12)
+    found = resolve_collisions(BODY, body)
+    assert {decision.action for decision in found.decisions} == {"moved"}
+    assert deepest_m(body) <= 0.001
+    assert angle_between(body.rotations[1:], body.rotations[:-1]).max() * RATE_HZ < 28
 
 
 @pytest.mark.parametrize("keys", [((Hand.LEFT, INSIDE),), ((Hand.LEFT, MIDDLE), (Hand.RIGHT, MIDDLE))])

@@ -6,7 +6,7 @@ from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.rest_poses import rest_pose
 from understudy.realizer.body.motion import BodyMotion
 from understudy.realizer.body.skeleton import Skeleton, forward
-from understudy.realizer.dynamics.calming import calm, calm_arms, calm_head
+from understudy.realizer.dynamics.calming import calm, calm_arms, calm_fingers, calm_head
 from understudy.realizer.geometry.rotations import IDENTITY, angle_between, from_axis_angle, multiply
 
 RATE_HZ = 60
@@ -104,6 +104,21 @@ def test_a_body_that_is_calm_is_left_alone() -> None:
     calm_already = body.rotations.copy()
     assert not calm_arms(skeleton, body)
     assert np.array_equal(body.rotations, calm_already)
+
+
+def test_fingers_that_close_too_fast_are_calmed_and_nothing_else() -> None:
+    skeleton, body = carried(2.0)
+    finger = skeleton.index["rightMiddleIntermediate"]
+    bends = np.radians(80) * np.clip((body.times_s - 1.0) / 0.06, 0.0, 1.0)
+    body.rotations[:, finger] = from_axis_angle((0.0, 0.0, 1.0), bends)
+    calmer = body.copy()
+    assert angle_between(body.rotations[1:, finger], body.rotations[:-1, finger]).max() * RATE_HZ > 20
+    assert calm_fingers(skeleton, calmer)
+    assert angle_between(calmer.rotations[1:, finger], calmer.rotations[:-1, finger]).max() * RATE_HZ < 20
+    assert angle_between(calmer.rotations[-1, finger], calmer.rotations[0, finger]) > np.radians(79)
+    others = np.arange(len(skeleton.names)) != finger
+    assert np.allclose(calmer.rotations[:, others], body.rotations[:, others])
+    assert not calm_fingers(skeleton, calmer)
 
 
 def turning(head_deg_s: float, trunk_deg_s: float) -> tuple[Skeleton, BodyMotion]:
