@@ -56,17 +56,38 @@ def directed(slots: Slots) -> bool:
 def aims_m(requests: Iterable[GestureRequest]) -> Mapping[str, Position]:
     """What each pointing gesture of a line points at, by its behaviour, for those of which the words say something and
     that have no target of the scene; requests are in order of their strokes."""
+    pointing = [each for each in requests if _points_somewhere(each)]
+    sides = _first_said_deg(pointing)
     known: dict[object, float] = {}
     found: dict[str, Position] = {}
-    for request in requests:
+    for request in pointing:
         slots = request.slots or NOWHERE
-        if request.category in POINTING and request.target is None and directed(slots):
-            thing = slots.referent or (slots.which, slots.distance, slots.elevation_deg)
-            said = _said_deg(_side(request.category, slots, known=thing in known), request.hand)
-            azimuth_deg = known.get(thing, _free_deg(known.values(), request.hand)) if said is None else said
-            known[thing] = azimuth_deg
-            found[request.behavior] = _position_m(slots, azimuth_deg)
+        thing = _thing(slots)
+        said = _said_deg(_side(request.category, slots, known=thing in known), request.hand)
+        taken = (*known.values(), *(place for other, place in sides.items() if other != thing))
+        azimuth_deg = known.get(thing, _free_deg(taken, request.hand)) if said is None else said
+        known[thing] = azimuth_deg
+        found[request.behavior] = _position_m(slots, azimuth_deg)
     return found
+
+
+def _points_somewhere(request: GestureRequest) -> bool:
+    return request.category in POINTING and request.target is None and directed(request.slots or NOWHERE)
+
+
+def _thing(slots: Slots) -> object:
+    """What is pointed at: by its name, else by what the words say of where it is."""
+    return slots.referent or (slots.which, slots.distance, slots.elevation_deg)
+
+
+def _first_said_deg(pointing: Iterable[GestureRequest]) -> Mapping[object, float]:
+    """The azimuths of the things that have a side when they are first pointed at: those before them that have none keep
+    clear of these too ("on this wall … over there on the right")."""
+    first: dict[object, float | None] = {}
+    for request in pointing:
+        slots = request.slots or NOWHERE
+        first.setdefault(_thing(slots), _said_deg(_side(request.category, slots, known=False), request.hand))
+    return {thing: place for thing, place in first.items() if place is not None}
 
 
 def _side(category: str, slots: Slots, *, known: bool) -> Side | None:

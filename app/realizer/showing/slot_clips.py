@@ -11,7 +11,7 @@ from math import atan2, degrees
 from types import MappingProxyType
 
 from ...model import Hand
-from ...model.slots import Distance, Slots
+from ...model.slots import Distance, Slots, Which
 from ..arms.wrist_paths import amplitude, stroke_end_m
 from ..body.motion import Decision
 from ..gestures.gesture import Clip, HandForm
@@ -62,8 +62,8 @@ def category_shown(request: GestureRequest) -> tuple[str, Hand]:
 
 def _is_somewhere(lexeme: str, slots: Slots) -> bool:
     """Whether the words name a thing, or say both how far away and how high something is: "up there". What is in the
-    middle is elsewhere only where they say that it is far."""
-    if lexeme == "CENTER" and slots.distance is not Distance.FAR:
+    middle is elsewhere only where they say that it is far, or "that" one."""
+    if lexeme == "CENTER" and slots.distance is not Distance.FAR and slots.which is not Which.THAT:
         return False
     return slots.referent is not None or (slots.distance is not None and slots.elevation_deg is not None)
 

@@ -50,6 +50,16 @@ def test_things_that_nobody_places_are_apart(hand: Hand) -> None:
     assert all(after - before >= APART_DEG for before, after in pairwise(azimuths))
 
 
+@pytest.mark.parametrize("category", ["POINT_LEFT", "POINT_RIGHT"])
+def test_a_thing_that_nobody_places_is_apart_from_one_that_has_a_side_later(category: str) -> None:
+    """ "The spears go on this wall, the shields over there", pointed at to the side of the gesture."""
+    (wall,) = pointings(Slots(referent="wall", which=Which.THIS))
+    (shields,) = pointings(Slots(referent="shield", distance=Distance.FAR), category=category)
+    (before, _), (after, _) = angles_deg([wall, replace(shields, behavior="later")])
+    assert abs(before - after) >= APART_DEG
+    assert (after > 0) == (category == "POINT_LEFT")
+
+
 def test_a_thing_is_where_it_was() -> None:
     first, _other, again = angles_deg(
         pointings(Slots(referent="wall", which=Which.THIS), Slots(referent="potion"), Slots(referent="wall"))

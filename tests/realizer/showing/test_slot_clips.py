@@ -137,6 +137,16 @@ def test_what_is_far_is_pointed_at_though_its_lexeme_is_of_the_middle(realizer: 
     assert abs(first - second) >= 50.0
 
 
+def test_that_one_is_where_it_was_though_its_second_lexeme_is_of_the_middle(realizer: Realizer) -> None:
+    """ "That door is locked. Nobody has ever opened that door." """
+    door = Slots(which=Which.THAT, referent="door")
+    asked = gesture("POINT_FRONT", door, 1.2), gesture("CENTER", door, 4.0, Hand.BOTH)
+    found = shown(realizer, *asked)
+    ways = [found.index_finger("right", found.at_end(each)) for each in asked]
+    first, second = (np.degrees(np.arctan2(way[0], way[2])) for way in ways)
+    assert abs(first - second) <= 20.0
+
+
 @pytest.mark.parametrize("hand", [Hand.LEFT, Hand.RIGHT])
 def test_what_is_put_on_either_side_is_apart(realizer: Realizer, hand: Hand) -> None:
     left = gesture("PLACE_LEFT", Slots(side=Side.LEFT), 1.4, hand)
