@@ -35,7 +35,7 @@ class FastestArms:
     rows: slice
 
 
-BY_THEMSELVES = FastestArms(2.5, 16.0, ARM_ROWS)
+BY_THEMSELVES = FastestArms(2.62, 16.0, ARM_ROWS)
 """The limits for the arms alone; the trunk adds its own speed."""
 IN_THE_WORLD = FastestArms(2.9, 18.5, slice(0, 4))
 """The limits in the world, such that in the result no wrist is faster than 3 m/s, and no hand or arm turns faster than

@@ -32,7 +32,7 @@ NECK_DEGREES = 5.0
 HEAD_DEGREES = (3.2, 0.0, 3.6)
 """Those of the head's pitch, yaw and roll, but the yaw is drawn from `TURN_DEGREES`."""
 
-TURN_DEGREES = (6.5, 14.5)
+TURN_DEGREES = (7.8, 16.0)
 """How far to one side a head is turned in an attitude, and to the other in the next: heads turn by 30 to 40° in seven
 seconds of talk, by phrases rather than by jitter, and the eyes can still make up for a shake beside it."""
 

@@ -137,7 +137,7 @@ def chosen_clips(
     kept: tuple[PlacedGesture, ...] = ()
     decisions: list[Decision] = []
     asked = requests_of(schedule)
-    shown = tuple(as_shown(request, library.nearest) for request in asked)
+    shown = tuple(as_shown(request, library.nearest, setting.leading) for request in asked)
     shown_m = aims_m(shown)
     for plain, request in zip(asked, shown, strict=True):
         options, told = draw.options(request, kept, shown_m)

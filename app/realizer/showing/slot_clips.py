@@ -43,12 +43,13 @@ _LONG_M = 0.4
 """From here on a size is shown by hands that part, below by hands that meet."""
 
 
-def category_shown(request: GestureRequest) -> tuple[str, Hand]:
+def category_shown(request: GestureRequest, leading: Hand = Hand.RIGHT) -> tuple[str, Hand]:
     """The category of gestures, and the hand, that show the slots of a request: its own where they say nothing that
-    another would show better. Both hands show a size, where the words say one besides a height."""
+    another would show better. Both hands show a size, where the words say one besides a height; what takes one hand is
+    shown by the `leading` one instead of both."""
     slots, lexeme, hand = request.slots or Slots(), request.category, request.hand
     both_sized = hand is Hand.BOTH and slots.size_m is not None
-    one_hand = Hand.RIGHT if hand is Hand.BOTH else hand
+    one_hand = leading if hand is Hand.BOTH else hand
     if slots.height_m is not None and not both_sized:
         return ("HEIGHT_HIGH" if slots.height_m > _HIGH_M else "HEIGHT_LOW"), one_hand
     if slots.size_m is not None:
@@ -74,9 +75,12 @@ def _sized(size_m: float, lexeme: str, hand: Hand) -> tuple[str, Hand]:
     return ("PINCH" if size_m <= TINY_M else lexeme), hand
 
 
-def as_shown(request: GestureRequest, nearest: Callable[[str], str | None]) -> GestureRequest:
-    """The request for the gesture that shows its slots; `nearest` is the category that shows a lexeme, if any."""
-    category, hand = category_shown(request)
+def as_shown(
+    request: GestureRequest, nearest: Callable[[str], str | None], leading: Hand = Hand.RIGHT
+) -> GestureRequest:
+    """The request for the gesture that shows its slots, by the character's `leading` hand where it takes one; `nearest`
+    is the category that shows a lexeme, if any."""
+    category, hand = category_shown(request, leading)
     as_it_is = (category, hand) == (request.category, request.hand) or nearest(category) != category
     return request if as_it_is else replace(request, category=category, hand=hand)
 

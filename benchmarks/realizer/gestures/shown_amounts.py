@@ -1,6 +1,6 @@
 """Whether bodies show what sentences say of places, heights, sizes and numbers, and wave, at each level of agitation.
 
-    python -m benchmarks.realizer.gestures.shown_amounts [--seed N] [--character NAME]
+    python -m benchmarks.realizer.gestures.shown_amounts [--seeds N] [--characters NAME …]
 
 Every sentence of `SENTENCES` is performed from its words alone and realized; of the gestures that show what it says,
 the one that shows it best counts, `SETTLED_S` after its stroke. Bars are an animator's: a direction up ≥ 20°,
@@ -12,7 +12,7 @@ of a number spread ≥ 12°, a wave with two reversals of 10 cm of the fingertip
 import argparse
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from itertools import combinations, pairwise
+from itertools import combinations, pairwise, product
 
 import numpy as np
 
@@ -87,7 +87,7 @@ class Pose:
 
     def azimuth_deg(self) -> float:
         """Where the gesturing hand is, seen from the body's middle, to its left."""
-        hand = self.gesture.hand if self.gesture.hand in (Hand.LEFT, Hand.RIGHT) else Hand.RIGHT
+        hand = self.gesture.hand if self.gesture.hand in (Hand.LEFT, Hand.RIGHT) else self.side
         x, _y, z = self.joint_m(f"{hand}Hand") - self.joint_m("upperChest")
         return float(np.degrees(np.arctan2(x, z)))
 
@@ -151,11 +151,12 @@ def spread_deg(take: Take) -> float:
 
 
 def reversals(take: Take) -> float:
-    """How often the fingertips of a raised hand go back after a way of `WAVE_M`."""
+    """How often the fingertips of a raised hand go back after a way of `WAVE_M`; nothing of hands opened in welcome."""
     found = []
     for each in take.gestures:
         sync = take.motion.realized[each.id]
-        if each.lexeme in ("GREETING", "FAREWELL") and sync.stroke_start is not None and sync.relax is not None:
+        waves = each.lexeme in ("GREETING", "FAREWELL") and each.hand is not Hand.BOTH  # both are opened in welcome
+        if waves and sync.stroke_start is not None and sync.relax is not None:
             rows = slice(round(sync.stroke_start * RATE_HZ), round((sync.relax + 0.1) * RATE_HZ))
             tips = take.skeleton.chain("leftMiddleDistal", "rightMiddleDistal")
             found += [swings(take.at_m[rows, tip, 0]) - 1 for tip in tips]
@@ -245,33 +246,43 @@ SENTENCES: Mapping[str, tuple[str, ...]] = {
 }
 
 
+@dataclass(frozen=True, slots=True)
+class Case:
+    """A sentence, and who says it how."""
+
+    text: str
+    level: Level
+    seed: int
+    character: str
+
+
 def main() -> None:
     arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments.add_argument("--seed", type=int, default=0)
-    arguments.add_argument("--character", default="default")
+    arguments.add_argument("--seeds", type=int, default=1)
+    arguments.add_argument("--characters", nargs="+", default=["default"])
     options = arguments.parse_args()
     with Understudy.load(Settings()) as understudy:
         for name, sentences in SENTENCES.items():
-            found = {
-                (text, level): BARS[name].measure(performed(understudy, text, level, options.seed, options.character))
-                for text in sentences
-                for level in Level
-            }
-            report(name, found)
+            cases = [Case(*each) for each in product(sentences, Level, range(options.seeds), options.characters)]
+            report(name, {case: BARS[name].measure(performed(understudy, case)) for case in cases})
 
 
-def performed(understudy: Understudy, text: str, level: Level, seed: int, character: str) -> Take:
+def performed(understudy: Understudy, case: Case) -> Take:
     """A sentence from its words alone."""
-    return Take.of(understudy, say(understudy, text, agitation=level.value, seed=seed, character=character))
+    level = case.level.value
+    return Take.of(understudy, say(understudy, case.text, agitation=level, seed=case.seed, character=case.character))
 
 
-def report(name: str, found: Mapping[tuple[str, Level], float]) -> None:
+def report(name: str, found: Mapping[Case, float]) -> None:
     bar = BARS[name]
-    good = sum(map(bar.met, found.values()))
-    print(f"{name:28} {'<=' if bar.at_most else '>='} {bar.limit:g}: {good} of {len(found)}", flush=True)
-    for (text, level), value in found.items():
-        if not bar.met(value):
-            print(f"    {level:6} {value:6.2f} {text}", flush=True)
+    good, shown = sum(map(bar.met, found.values())), sum(not np.isnan(value) for value in found.values())
+    print(
+        f"{name:28} {'<=' if bar.at_most else '>='} {bar.limit:g}: {good} of {shown}, of {len(found)} asked for",
+        flush=True,
+    )
+    for case, value in found.items():
+        if not bar.met(value) and not np.isnan(value):
+            print(f"    {value:6.2f} {case.character} {case.level} {case.seed} {case.text}", flush=True)
 
 
 if __name__ == "__main__":

@@ -25,6 +25,15 @@ def test_a_child_is_lower_than_one_who_is_taller_than_the_speaker(understudy: Un
     assert taller.height_m > 1.7
 
 
+def test_who_towers_over_somebody_is_tall_and_a_tower_over_there_is_not(understudy: Understudy) -> None:
+    tall = slots(understudy, "Her sons tower over me.", 2, 4)
+    tower = slots(understudy, "See that tower over there?", 1, 4)
+    assert tall.height_m is not None
+    assert tall.height_m > 1.7
+    assert tower.height_m is None
+    assert tower.distance is not None
+
+
 def test_a_length_in_units_is_kept(understudy: Understudy) -> None:
     assert slots(understudy, "It was ten feet high.", 2, 4).height_m == pytest.approx(3.048)
     assert slots(understudy, "The cut was two centimeters long.", 3, 5).size_m == pytest.approx(0.02)

@@ -13,7 +13,9 @@ from understudy.model.slots import Height as Tall
 from understudy.models import load_realizer
 from understudy.realizer.body.motion import Motion
 from understudy.realizer.body.skeleton import forward
+from understudy.realizer.gestures.gesture_plan import GestureRequest
 from understudy.realizer.realizing import Realizer, realize
+from understudy.realizer.showing.slot_clips import category_shown
 
 RATE_HZ = 60
 SETTLED_S = 0.15
@@ -145,6 +147,14 @@ def test_that_one_is_where_it_was_though_its_second_lexeme_is_of_the_middle(real
     ways = [found.index_finger("right", found.at_end(each)) for each in asked]
     first, second = (np.degrees(np.arctan2(way[0], way[2])) for way in ways)
     assert abs(first - second) <= 20.0
+
+
+@pytest.mark.parametrize("leading", [Hand.LEFT, Hand.RIGHT])
+def test_what_takes_one_hand_is_shown_by_the_leading_one(leading: Hand) -> None:
+    there, child = Slots(distance=Distance.FAR, referent="shield"), Slots(height=Tall.CHILD, height_m=0.95)
+    for lexeme, slots in (("CENTER", there), ("HOLD", child), ("COUNT", Slots(count=2))):
+        request = GestureRequest("g1", lexeme, 1.0, 1.3, 1.0, Hand.BOTH, slots=slots)
+        assert category_shown(request, leading)[1] is leading
 
 
 @pytest.mark.parametrize("hand", [Hand.LEFT, Hand.RIGHT])
