@@ -38,7 +38,15 @@ from ..showing.directions import aims_m
 from ..showing.slot_clips import as_shown, finger_first, in_its_place, showing, shown_decisions
 from .arm_timelines import ArmTimeline, arm_timeline, rest_changes, units_of
 from .pruning import KeptGestures, admit, obstacle
-from .repetition import is_held_long, let_go_in_time, repeats_until_s, told_repeats, with_beats, with_repeats
+from .repetition import (
+    beside_a_wave,
+    is_held_long,
+    let_go_in_time,
+    repeats_until_s,
+    told_repeats,
+    with_beats,
+    with_repeats,
+)
 from .rests import posture_changes
 from .second_hand import HandHabits, led_by, of_arm
 from .selection import Clips, candidate_clips, in_time, place_clip, requests_of, shuffled
@@ -139,7 +147,9 @@ def chosen_clips(
     asked = requests_of(schedule)
     shown = tuple(as_shown(request, library.nearest, setting.leading) for request in asked)
     shown_m = aims_m(shown)
-    for plain, request in zip(asked, shown, strict=True):
+    for plain, with_its_hand in zip(asked, shown, strict=True):
+        request, beside = beside_a_wave(with_its_hand, kept)
+        decisions += beside
         options, told = draw.options(request, kept, shown_m)
         if request is not plain:
             others, told_plain = draw.options(plain, kept, {})

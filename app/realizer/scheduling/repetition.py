@@ -6,7 +6,7 @@ A hold that would last too long becomes repetitions too, of a size that shows, o
 be still: a person's hand does not stand in the air (`Holds`).
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain, count
 from math import inf
@@ -15,8 +15,9 @@ import numpy as np
 
 from ...model import Hand
 from ...model.limits import shortest_transition_s
+from ..body.motion import Decision
 from ..body.movement_style import Holds
-from ..gestures.gesture_plan import ArmGesture, PlacedGesture, Repeat
+from ..gestures.gesture_plan import ArmGesture, GestureRequest, PlacedGesture, Repeat
 from .transitions import TransitionContext, stroke_speed_m_s, transition_s, way_m
 
 AMPLITUDES = (0.6, 0.4, 0.25)
@@ -36,6 +37,9 @@ AFTER_S = 0.1
 WAVE_S = 0.4
 """In which a waving hand swings to one side and back."""
 MOST_WAVES = 3
+LEAST_SWINGS, AWAY_S = 1.5, 1.0
+"""How often a wave swings to and fro at least, and what of the time before the emphasis of the same hand's next gesture
+is for the way to it and its stroke."""
 BEATS = frozenset({"BEAT", "BEAT_HIGH", "RHYTHM", "PRECISION", "CHOP", "PALM_BEAT"})
 BEAT_REPEATS = 2
 
@@ -65,6 +69,23 @@ def _waved(placed: PlacedGesture, until_s: float) -> Iterator[Repeat]:
         yield Repeat(end_s - swing_s, end_s, 1.0, swings=True)
 
 
+def beside_a_wave(
+    request: GestureRequest, before: Sequence[PlacedGesture]
+) -> tuple[GestureRequest, tuple[Decision, ...]]:
+    """The request for the other hand where its own is still waving by then, and the decision about it: "Hello! Come on
+    in." What shows a place, or is led to sectors, stays with its hand."""
+    wave = before[-1] if before else None
+    fixed = request.hand is Hand.BOTH or request.slots or request.way or request.target
+    if fixed or wave is None or not wave.clip.waves or wave.arms != (request.hand,):
+        return request, ()
+    waved_s = wave.stroke_start_s + LEAST_SWINGS * WAVE_S / wave.clip.expressivity.tempo
+    if request.stroke_s - AWAY_S >= waved_s:
+        return request, ()
+    other = Hand.LEFT if request.hand is Hand.RIGHT else Hand.RIGHT
+    reason = f"made with the {other} hand, as the {request.hand} one is still waving"
+    return replace(request, hand=other), (Decision(request.behavior, "replaced", reason),)
+
+
 def most_repeats(placed: PlacedGesture) -> int:
     """The maximum number of repetitions: none at a `repetition` of 0, three at 1."""
     wanted = round(len(AMPLITUDES) * placed.clip.expressivity.repetition)
@@ -74,7 +95,7 @@ def most_repeats(placed: PlacedGesture) -> int:
 def _repeats(placed: PlacedGesture, emphases_s: list[float], until_s: float) -> Iterator[Repeat]:
     amplitudes = iter(AMPLITUDES[: most_repeats(placed)])
     stroke_s = placed.clip.markers.stroke_end - placed.clip.markers.stroke_start
-    last_s = placed.stroke_end_s
+    last_s = placed.stroke_end_s + (SEEN_S if placed.request.slots else 0.0)
     for emphasis_s in emphases_s:
         spacing_s = emphasis_s - last_s
         if spacing_s < SHORTEST_SPACING_S:

@@ -27,6 +27,7 @@ PLACES = MappingProxyType(
         "HERE": "THERE",
         "UP": "THERE",
         "DOWN": "THERE",
+        "POINT_UP": "THERE",
         "CENTER": "THERE",
         "LEFT": "POINT_LEFT",
         "RIGHT": "POINT_RIGHT",
@@ -63,8 +64,11 @@ def category_shown(request: GestureRequest, leading: Hand = Hand.RIGHT) -> tuple
 
 def _is_somewhere(lexeme: str, slots: Slots) -> bool:
     """Whether the words name a thing, or say both how far away and how high something is: "up there". What is in the
-    middle is elsewhere only where they say that it is far, or "that" one."""
+    middle is elsewhere only where they say that it is far, or "that" one; a finger that is raised shows no place unless
+    they do."""
     if lexeme == "CENTER" and slots.distance is not Distance.FAR and slots.which is not Which.THAT:
+        return False
+    if lexeme == "POINT_UP" and slots.distance is slots.which is slots.elevation_deg is None:
         return False
     return slots.referent is not None or (slots.distance is not None and slots.elevation_deg is not None)
 

@@ -78,7 +78,9 @@ class Pose:
 
     @property
     def side(self) -> str:
-        """The higher hand."""
+        """The hand that gestures; of both the higher one."""
+        if self.gesture.hand in (Hand.LEFT, Hand.RIGHT):
+            return str(self.gesture.hand)
         return max(("left", "right"), key=lambda side: float(self.joint_m(f"{side}Hand")[1]))
 
     def finger(self, name: str = "Index") -> FloatArray:
@@ -87,8 +89,7 @@ class Pose:
 
     def azimuth_deg(self) -> float:
         """Where the gesturing hand is, seen from the body's middle, to its left."""
-        hand = self.gesture.hand if self.gesture.hand in (Hand.LEFT, Hand.RIGHT) else self.side
-        x, _y, z = self.joint_m(f"{hand}Hand") - self.joint_m("upperChest")
+        x, _y, z = self.joint_m(f"{self.side}Hand") - self.joint_m("upperChest")
         return float(np.degrees(np.arctan2(x, z)))
 
 

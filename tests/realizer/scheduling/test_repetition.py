@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 
 from tests.support.motion.gesture_clips import clip, gesture, library
-from understudy.model import Schedule
+from understudy.model import Hand, Schedule
+from understudy.model.slots import Side, Slots
 from understudy.realizer.body.movement_style import Holds
 from understudy.realizer.gestures.gesture import Expressivity
-from understudy.realizer.gestures.gesture_plan import ArmGesture, PlacedGesture, Repeat
+from understudy.realizer.gestures.gesture_plan import ArmGesture, GestureRequest, PlacedGesture, Repeat
 from understudy.realizer.scheduling.planning import plan_gestures
 from understudy.realizer.scheduling.repetition import (
+    beside_a_wave,
     is_held_long,
     let_go_in_time,
     most_repeats,
@@ -25,6 +27,39 @@ def struck(category: str = "BEAT", repetition: float = 0.0) -> PlacedGesture:
     """Stroke end at 2.2 s, relax at 2.5 s."""
     (request,) = requests_of(Schedule((gesture("g", 2.0, 2.5, lexeme=category),), 30.0))
     return place_clip(clip(category=category, expressivity=Expressivity(repetition=repetition)), request)
+
+
+def next_to(wave: PlacedGesture, stroke_s: float, **said: Slots) -> GestureRequest:
+    """A gesture of the same hand with its emphasis at that time."""
+    return replace(wave.request, behavior="next", category="COME_CLOSER", stroke_s=stroke_s, **said)
+
+
+def test_what_follows_a_wave_at_once_is_made_with_the_other_hand() -> None:
+    """ "Hello! Come on in." """
+    wave = struck("GREETING")
+    waving = replace(wave, clip=replace(wave.clip, waves=True))
+    soon, later = next_to(wave, wave.stroke_start_s + 1.2), next_to(wave, wave.stroke_start_s + 1.8)
+    made, decisions = beside_a_wave(soon, [waving])
+    assert made.hand is Hand.LEFT
+    assert [(each.behavior, each.action) for each in decisions] == [("next", "replaced")]
+    assert beside_a_wave(later, [waving]) == (later, ())
+    assert beside_a_wave(soon, [wave]) == (soon, ())
+
+
+def test_what_shows_a_place_stays_with_its_hand_though_that_waves() -> None:
+    wave = struck("GREETING")
+    placed = next_to(wave, wave.stroke_start_s + 1.2, slots=Slots(side=Side.RIGHT))
+    assert beside_a_wave(placed, [replace(wave, clip=replace(wave.clip, waves=True))]) == (placed, ())
+
+
+def test_a_place_is_seen_before_the_hand_beats() -> None:
+    """A beat begins .35 s after the stroke has ended at 2.2 s at the earliest."""
+    plain = struck()
+    shown = replace(plain, request=replace(plain.request, slots=Slots(side=Side.RIGHT)))
+    assert [each.end_s for each in with_repeats(plain, [2.6, 3.0], 9.0).repeats] == [2.6, 3.0]
+    [beat] = with_repeats(shown, [2.6, 3.0], 9.0).repeats
+    assert beat.end_s == 3.0
+    assert beat.start_s >= 2.2 + 0.35
 
 
 @pytest.mark.parametrize(
