@@ -68,7 +68,7 @@ def _is_somewhere(lexeme: str, slots: Slots) -> bool:
     they do."""
     if lexeme == "CENTER" and slots.distance is not Distance.FAR and slots.which is not Which.THAT:
         return False
-    if lexeme == "POINT_UP" and slots.distance is slots.which is slots.elevation_deg is None:
+    if lexeme == "POINT_UP" and not slots.distance and not slots.which and slots.elevation_deg is None:
         return False
     return slots.referent is not None or (slots.distance is not None and slots.elevation_deg is not None)
 

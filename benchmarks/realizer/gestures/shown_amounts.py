@@ -270,8 +270,8 @@ def main() -> None:
 
 def performed(understudy: Understudy, case: Case) -> Take:
     """A sentence from its words alone."""
-    level = case.level.value
-    return Take.of(understudy, say(understudy, case.text, agitation=level, seed=case.seed, character=case.character))
+    said = say(understudy, case.text, agitation=case.level, seed=case.seed, character=case.character)
+    return Take.of(understudy, said)
 
 
 def report(name: str, found: Mapping[Case, float]) -> None:

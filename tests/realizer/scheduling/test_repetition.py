@@ -29,9 +29,9 @@ def struck(category: str = "BEAT", repetition: float = 0.0) -> PlacedGesture:
     return place_clip(clip(category=category, expressivity=Expressivity(repetition=repetition)), request)
 
 
-def next_to(wave: PlacedGesture, stroke_s: float, **said: Slots) -> GestureRequest:
+def next_to(wave: PlacedGesture, stroke_s: float, slots: Slots | None = None) -> GestureRequest:
     """A gesture of the same hand with its emphasis at that time."""
-    return replace(wave.request, behavior="next", category="COME_CLOSER", stroke_s=stroke_s, **said)
+    return replace(wave.request, behavior="next", category="COME_CLOSER", stroke_s=stroke_s, slots=slots)
 
 
 def test_what_follows_a_wave_at_once_is_made_with_the_other_hand() -> None:
