@@ -26,7 +26,7 @@ from .reports.writing import remove_reports, reports_are_there, write_reports
 from .running.engine import Done, Engine, supervise
 from .thumbnails import read_thumbnails, remove_other_thumbnails, thumbnail_jobs, thumbnail_paths
 from .voices import keep_learnt, read_learnt
-from .work.files import DISK_FULL, clear_unfinished, unwritable, write_files
+from .work.files import clear_unfinished, unwritable, write_files
 from .work.formats import extension_of
 from .work.jobs import Failure, LineJob, LineOutcome, ReferenceJob
 
@@ -219,8 +219,8 @@ def _performed(waiting: Sequence[Work], engine: OnDemand[Engine], out: Path) -> 
 
 def _require_room(failure: Failure | None) -> None:
     """Raises InputError `disk_full` where that is why a line failed: the next ones would be performed for nothing."""
-    if failure is not None and failure.code == DISK_FULL:
-        raise InputError(failure.code, failure.message, field="out")
+    if failure is not None and failure.code == "disk_full":
+        raise InputError("disk_full", failure.message, field="out")
 
 
 def _entry(done: Done[Work, LineOutcome], out: Path) -> ManifestEntry:

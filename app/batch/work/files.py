@@ -16,9 +16,6 @@ from .jobs import OutputFile
 
 UNFINISHED = ".unfinished"
 
-DISK_FULL = "disk_full"
-"""The code of an output on a disk without room."""
-
 _FULL = frozenset({errno.ENOSPC, errno.EDQUOT})
 
 
@@ -45,7 +42,7 @@ def unwritable(error: OSError, folder: Path) -> InputError:
     """What a file that could not be written means to people: `disk_full` or `file_unwritable`."""
     if error.errno in _FULL:
         message = f"{folder}: the disk is full; free some space and run the same command again: nothing done is lost"
-        return InputError(DISK_FULL, message, field="out")
+        return InputError("disk_full", message, field="out")
     return InputError("file_unwritable", f"{folder}: cannot be written to: {error}", field="out")
 
 
