@@ -22,6 +22,7 @@ from ..gestures.gesture_plan import ArmGesture, ArmRest, GesturePlan, Position, 
 from .interpolation import ArmTrack, TimedPose
 from .posing import HAND_ROWS, PartialPose, pose_arms
 from .rest_poses import BEHIND_BACK, LIFTED, rest_pose
+from .shoulder_ways import within_the_shoulder
 from .wrist_paths import amplitude, arm_key
 
 REST_NOISE, HOLD_NOISE, ADDED_NOISE, STROKE_NOISE = 0.6, 1.0, 0.5, 0.1
@@ -51,7 +52,8 @@ def arm_track(skeleton: Skeleton, side: Hand, plan: GesturePlan) -> ArmTrack:
         keys = _underway(skeleton, gestures[0], keys, from_behind=rests[0].pose == BEHIND_BACK)
         rests = tuple(rest for rest in rests if rest.start_s > 0.0)
     keys += [way for rest in rests if rest.pose == BEHIND_BACK for way in _past_the_hip(skeleton, rest, keys)]
-    return ArmTrack(side, tuple(_apart(sorted(keys, key=lambda key: key.time_s))))
+    apart = tuple(_apart(sorted(keys, key=lambda key: key.time_s)))
+    return ArmTrack(side, within_the_shoulder(side, apart))
 
 
 def _past_the_hip(skeleton: Skeleton, behind: ArmRest, keys: Sequence[TimedPose]) -> Iterator[TimedPose]:

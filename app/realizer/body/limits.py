@@ -165,6 +165,11 @@ def shoulder_deg(orientation: FloatArray) -> FloatArray:
     return swing_twist_deg(multiply(orientation, inverse(_HANGING)), 1)
 
 
+def shoulder_turned(angles_deg: FloatArray) -> FloatArray:
+    """The orientation (…, 4) of the left upper arm with these angles (…, 3); the inverse of `shoulder_deg`."""
+    return _joined(_SHOULDER, angles_deg)
+
+
 def within_shoulder_limits(orientation: FloatArray) -> FloatArray:
     """The orientation (…, 4) of the left upper arm in the upper chest's space, clamped to the shoulder's limits."""
     angles = shoulder_deg(orientation)
