@@ -78,7 +78,7 @@ def test_the_hand_that_is_asked_for_goes_where_the_gesture_says(understudy: Unde
     """At the stroke's end the wrist is at the height of the shoulders (`YUpperP`), the other hand at rest below.
 
     At rest it is as high as in the first frame but for 5 cm. Around a gesture alone hands rest before the belly and do
-    not hang: the other wrist is 13 cm below (26 cm where the right hand gestures), so that 20 cm cannot be asked.
+    not hang: the other wrist is 10 cm below (23 cm where the right hand gestures), so that no more can be asked.
     """
     definition = one_gesture(RAISED, None)
     playing = Playing(hand=hand)
@@ -93,7 +93,7 @@ def test_the_hand_that_is_asked_for_goes_where_the_gesture_says(understudy: Unde
     other = "left" if hand is Hand.RIGHT else "right"
     assert heights[hand] == pytest.approx(places[1, skeleton.index[f"{hand}UpperArm"], 1], abs=0.06)
     assert heights[other] == pytest.approx(before[other], abs=0.05)
-    assert heights[other] < heights[hand] - 0.1
+    assert heights[other] < heights[hand] - 0.08
 
 
 def test_the_gesture_takes_the_time_of_its_level() -> None:
