@@ -48,7 +48,7 @@ would take the event loop from others. A page of the studio asks for some two hu
 
 BEGINNINGS_S = 0.005
 """So much processor time of a turn of the event loop goes to connections that have not asked for anything yet. Hundreds
-may come at once, and an upgrade takes a millisecond; the others, on which requests were made, wait a few turns."""
+may come at once, and an upgrade takes a millisecond: they wait a few turns, those that have made requests do not."""
 
 LONG_PIECE_S, RESTS = 0.0003, 3
 """After a piece in parts that took longer to parse, in processor time, its connection is not read for so many times as

@@ -60,7 +60,7 @@ LAPS: Mapping[Level, str] = MappingProxyType({Level.LOW: "lap_low", Level.MEDIUM
 """Both hands before the belly, ready to go on."""
 LIFTED = "lifted"
 """Where the beats of hands before the belly come from."""
-_LAP_HEIGHTS_M: Mapping[Level, float] = MappingProxyType({Level.LOW: 0.190, Level.MEDIUM: 0.225, Level.HIGH: 0.275})
+_LAP_HEIGHTS_M: Mapping[Level, float] = MappingProxyType({Level.LOW: 0.190, Level.MEDIUM: 0.220, Level.HIGH: 0.275})
 _LIFTED_M = 0.40
 
 
