@@ -86,7 +86,9 @@ def test_a_body_has_mass_if_asked_for(client: TestClient) -> None:
     clips = []
     for physics in (True, False, None):
         files = {"bml": ("a.bml", BEAT), "options": (None, json.dumps({"fps": 30, "physics": physics}))}
-        clips.append(client.post("/realize", files=files).json())
+        answer = client.post("/realize", files=files)
+        assert answer.status_code == 200, answer.text
+        clips.append(answer.json())
     moved, plain, usual = clips
     assert moved["duration_s"] == plain["duration_s"]
     assert moved != plain == usual

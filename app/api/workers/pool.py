@@ -30,7 +30,8 @@ _FORK_WITHIN_S = 60.0
 """On a busy machine too; processes that hang are noticed sooner, by the watch."""
 
 _COLD_FOR_S = 5.0
-"""A worker that is not warm is replaced after so long, when it is idle; by then its nursery is warm, or will be."""
+"""A worker that is not warm is replaced after so long, when it is idle and another has been forked for it: a nursery
+that is warming up forks none meanwhile."""
 
 _AGAIN_AFTER_S = 0.5
 _RETRIES = 1
@@ -61,6 +62,7 @@ class Pool:
         self._times = ServiceTimes()
         self._renewing: asyncio.Task[None] | None = None
         self._dividing: asyncio.Task[None] | None = None
+        self._relieving: asyncio.Task[None] | None = None
         self._watch: asyncio.Task[None] | None = None
         self._seen: tuple[WorkerState, ...] = ()
         self._is_stopping = False
@@ -76,7 +78,7 @@ class Pool:
     async def __aexit__(self, *_exception: object) -> None:
         self._is_closed = True
         await self.stop(0.0)
-        ending = [task for task in (self._watch, *self._making) if task is not None]
+        ending = [task for task in (self._watch, self._relieving, *self._making) if task is not None]
         for task in ending:
             task.cancel()
         await asyncio.gather(*ending, return_exceptions=True)
@@ -303,16 +305,22 @@ class Pool:
                 self._dismiss(seen.worker)
             elif seen.trouble and seen.worker in self._busy:
                 seen.worker.kill()
-        if not self._missing:
-            self._replace_cold()
+        if not self._missing and (self._relieving is None or self._relieving.done()):
+            self._relieving = asyncio.create_task(self._relieve_cold())
 
-    def _replace_cold(self) -> None:
+    async def _relieve_cold(self) -> None:
         """Replaces one worker that would load for its next job what others have inherited."""
         late_s = time.monotonic() - _COLD_FOR_S
         cold = next((each for each in self._idle if not each.is_warm and each.began_s < late_s), None)
-        if cold is not None:
+        if cold is None:
+            return
+        warm = await self.forked()
+        if cold in self._idle and not self._is_closed:
             self._idle.remove(cold)
-            self._dismiss(cold)
+            cold.end()
+            self._offer(warm)
+        else:
+            warm.end()
 
     def _look_after(self, nursery: Nursery, *, is_well: bool) -> None:
         """Replaces a nursery that is not well; for one that is sees to it that another can take its place."""

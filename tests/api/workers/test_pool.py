@@ -133,8 +133,14 @@ def test_a_nursery_that_was_killed_is_renewed_though_nobody_needs_it(
     nursery: Nursery, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Here from nothing, for nothing was forked to take its place. What is wrong is told meanwhile. The worker that is
-    forked at once is replaced by one that is warm."""
+    forked at once is replaced by one that is warm, and there is always one."""
     monkeypatch.setattr(pool_module, "_COLD_FOR_S", 2 * IDLE_S)
+    seen = set()
+
+    def are_warm(pool: Pool) -> list[bool]:
+        warm = [worker.is_warm for worker in pool._workers()]
+        seen.add(len(warm))
+        return warm
 
     async def scenario(own: Nursery) -> None:
         async with _pool(own) as pool:
@@ -144,8 +150,9 @@ def test_a_nursery_that_was_killed_is_renewed_though_nobody_needs_it(
             await _until(lambda: pool.nursery is not own)
             await _short(pool)
             assert await pool.trouble() is None
-            assert [worker.is_warm for worker in pool._workers()] == [False]
-            await _until(lambda: [worker.is_warm for worker in pool._workers()] == [True])
+            assert are_warm(pool) == [False]
+            await _until(lambda: are_warm(pool) == [True])
+            assert seen == {1}
             await _short(pool)
 
     with nursery.divided() as own:
