@@ -7,6 +7,7 @@ arm's own x axis runs to the elbow, and the elbow bends about its -y axis, so th
 
 from dataclasses import dataclass
 from functools import lru_cache
+from math import cos, radians, sqrt
 
 import numpy as np
 
@@ -75,9 +76,20 @@ def _bones(skeleton: Skeleton) -> ArmBones:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Bend:
+    """Local rotations of `upper_arm` and `elbow` (the hinge alone, without the forearm's twist), and the orientations
+    of the upper arm and of the untwisted `forearm` in the hips' space."""
+
+    upper_arm: FloatArray
+    elbow: FloatArray
+    orientation: FloatArray
+    forearm: FloatArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Reach:
-    """A solution: local rotations of `collarbone`, `upper_arm` and `elbow` (the hinge alone, without the forearm's
-    twist), the orientation of the untwisted `forearm` in the hips' space, and the positions of elbow and wrist."""
+    """A solution: local rotations of `collarbone`, `upper_arm` and `elbow`, the orientation of the `forearm` as of a
+    `Bend`, and the positions of elbow and wrist."""
 
     collarbone: FloatArray
     upper_arm: FloatArray
@@ -98,23 +110,30 @@ def reach(bones: ArmBones, wrist_m: FloatArray, *, swivel_rad: FloatArray, raise
     height demands.
     """
     collarbone = collarbone_for(bones, wrist_m, raised)
-    shoulder_m = bones.root_m + rotate(collarbone, bones.collarbone_m)
+    shoulder_m = shoulder_of(bones, collarbone)
     to_wrist = wrist_m - shoulder_m
     asked_m = np.maximum(length(to_wrist), 1e-6)
     direction = to_wrist / asked_m
     distance_m = _within_reach(bones, asked_m)
     pole = rotate(from_rotation_vector(direction * swivel_rad[..., None]), elbow_direction(direction))
-    return _bent(bones, collarbone, direction, distance_m, pole)
+    bend = _bent(bones, collarbone, direction, distance_m, pole)
+    elbow_m = shoulder_m + bones.upper_m * x_axis(bend.orientation)
+    reached_m = elbow_m + bones.lower_m * x_axis(bend.forearm)
+    return Reach(collarbone, bend.upper_arm, bend.elbow, bend.forearm, elbow_m, reached_m)
 
 
-def reach_by_elbow(bones: ArmBones, collarbone: FloatArray, wrist_m: FloatArray, elbow: FloatArray) -> Reach:
-    """The arm on a given `collarbone` (…, 4) with its wrist at `wrist_m` (…, 3) and its elbow in the direction `elbow`
-    (…, 3)."""
-    to_wrist = wrist_m - bones.root_m - rotate(collarbone, bones.collarbone_m)
-    asked_m = np.maximum(length(to_wrist), 1e-6)
-    direction = to_wrist / asked_m
-    shortest_m, longest_m = (_distance(bones, np.radians(flexion)) for flexion in (_MOST_BENT_DEG, _STRAIGHT_DEG))
-    return _bent(bones, collarbone, direction, clipped(asked_m, shortest_m, longest_m), _across(elbow, direction))
+def reach_by_elbow(bones: ArmBones, collarbone: FloatArray, to_wrist_m: FloatArray, elbow: FloatArray) -> Bend:
+    """The arm on a given `collarbone` (…, 4) with its wrist `to_wrist_m` (…, 3) from the shoulder and its elbow in the
+    direction `elbow` (…, 3)."""
+    asked_m = np.maximum(length(to_wrist_m), 1e-6)
+    direction = to_wrist_m / asked_m
+    distance_m = clipped(asked_m, *_distances(bones, (_MOST_BENT_DEG, _STRAIGHT_DEG)))
+    return _bent(bones, collarbone, direction, distance_m, _across(elbow, direction))
+
+
+def shoulder_of(bones: ArmBones, collarbone: FloatArray) -> FloatArray:
+    """Where the shoulder (…, 3) is with this rotation of the collarbone (…, 4)."""
+    return np.asarray(bones.root_m + rotate(collarbone, bones.collarbone_m))
 
 
 def towards_elbow(upper_arm: FloatArray, elbow: FloatArray, bones: ArmBones) -> FloatArray:
@@ -160,38 +179,35 @@ def _across(vector: FloatArray, direction: FloatArray) -> FloatArray:
 
 def _bent(
     bones: ArmBones, collarbone: FloatArray, direction: FloatArray, distance_m: FloatArray, pole: FloatArray
-) -> Reach:
+) -> Bend:
     """Shoulder and elbow for a wrist at `distance_m` in a direction from the shoulder, the elbow towards `pole`."""
-    along = (bones.upper_m**2 + distance_m**2 - bones.lower_m**2) / (2 * bones.upper_m * distance_m)
-    aside = np.sqrt(np.maximum(1 - along**2, 0.0))
+    squared_m = distance_m * distance_m
+    along = (bones.upper_m**2 + squared_m - bones.lower_m**2) / (2 * bones.upper_m * distance_m)
+    aside = np.sqrt(np.maximum(1 - along * along, 0.0))
     upper = direction * along + pole * aside
     towards = direction * aside - pole * along
     orientation = within_shoulder_limits(from_axes(upper, cross(towards, upper), towards))
-    elbow = from_axis_angle((0.0, -1.0, 0.0), _flexion(bones, distance_m)[..., 0])
-    forearm = multiply(orientation, elbow)
-    elbow_m = bones.root_m + rotate(collarbone, bones.collarbone_m) + bones.upper_m * x_axis(orientation)
-    reached_m = elbow_m + bones.lower_m * x_axis(forearm)
-    return Reach(collarbone, multiply(inverse(collarbone), orientation), elbow, forearm, elbow_m, reached_m)
+    cosine = (squared_m - bones.upper_m**2 - bones.lower_m**2) / (2 * bones.upper_m * bones.lower_m)
+    elbow = from_axis_angle((0.0, -1.0, 0.0), np.arccos(clipped(cosine, -1.0, 1.0))[..., 0])
+    return Bend(multiply(inverse(collarbone), orientation), elbow, orientation, multiply(orientation, elbow))
 
 
 def _within_reach(bones: ArmBones, distance_m: FloatArray) -> FloatArray:
     """Distances clamped smoothly to what the elbow's range allows; unchanged up to 2 cm from its ends."""
-    longest, shortest = (_distance(bones, np.radians(flexion)) for flexion in ELBOW_FLEXION_DEG)
+    longest, shortest = _distances(bones, ELBOW_FLEXION_DEG)
     over = np.maximum(distance_m - (longest - _SOFTENED_M), 0.0)
     under = np.maximum(shortest + _SOFTENED_M - distance_m, 0.0)
     pulled_in = distance_m - over + _SOFTENED_M * -np.expm1(-over / _SOFTENED_M)
     return np.asarray(pulled_in + under - _SOFTENED_M * -np.expm1(-under / _SOFTENED_M))
 
 
-def _distance(bones: ArmBones, flexion_rad: float) -> float:
-    """The distance from shoulder to wrist, by the law of cosines."""
-    squared = bones.upper_m**2 + bones.lower_m**2 + 2 * bones.upper_m * bones.lower_m * np.cos(flexion_rad)
-    return float(np.sqrt(squared))
-
-
-def _flexion(bones: ArmBones, distance_m: FloatArray) -> FloatArray:
-    cosine = (distance_m**2 - bones.upper_m**2 - bones.lower_m**2) / (2 * bones.upper_m * bones.lower_m)
-    return np.asarray(np.arccos(clipped(cosine, -1.0, 1.0)))
+def _distances(bones: ArmBones, flexions_deg: tuple[float, float]) -> tuple[float, float]:
+    """The distances from shoulder to wrist, by the law of cosines."""
+    one, other = (
+        sqrt(bones.upper_m**2 + bones.lower_m**2 + 2 * bones.upper_m * bones.lower_m * cos(radians(flexion_deg)))
+        for flexion_deg in flexions_deg
+    )
+    return one, other
 
 
 def _ease(share: FloatArray) -> FloatArray:

@@ -4,16 +4,17 @@ Conventions: metres in the world, time in frames. Penetration that is left after
 and the arms are solved again from the original motion, so the displacement stays smooth however many rounds are needed.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from math import acos
 
 import numpy as np
 
 from ...model import FloatArray
-from ..body.contacts import BUILD, LIMBS, PAIRS, Contacts, Point, PosedBody, contacts, radii_m
+from ..body.contacts import BUILD, LIMBS, PAIRS, ArmsOfBody, Contacts, Point, PosedBody, contacts, radii_m
 from ..body.skeleton import SIDES, Skeleton
 from ..geometry.curves import clipped
-from ..geometry.rotations import angle_between, length
-from .displacements import Displacement, displaced, stretches
+from ..geometry.rotations import dot
+from .displacements import Displacement, PosedArms, stretches
 
 _CLEARANCE_M = 0.004
 _ROUNDS = 16
@@ -23,6 +24,7 @@ slide along the belly and never come out."""
 
 _ELBOW_WITH_WRIST = 0.5
 """How far an elbow is led aside with its wrist."""
+_LEAST_SQUARED = 1e-24
 
 
 def _together() -> tuple[list[int], ...]:
@@ -33,6 +35,34 @@ def _together() -> tuple[list[int], ...]:
 
 
 _TOGETHER = _together()
+
+
+@dataclass(frozen=True, slots=True)
+class _End:
+    """An arm in a contact: whether its limb is the other one of the pair, the amount, against the way out where
+    negative, by which it is moved, and the least share of the wrist in that."""
+
+    arm: int
+    of_other: bool
+    amount: float
+    least_share: float
+
+
+def _ends(pair: tuple[int, int]) -> tuple[_End, ...]:
+    limbs = [(BUILD[part], part == pair[1]) for part in pair if BUILD[part].part in LIMBS]
+    return tuple(
+        _End(
+            arm=next(arm for arm, side in enumerate(SIDES) if limb.joint.startswith(side)),
+            of_other=of_other,
+            amount=(-1.0 if of_other else 1.0) / len(limbs),
+            least_share=_LEAST_SHARE if limb.part == "forearm" else 1.0,
+        )
+        for limb, of_other in limbs
+    )
+
+
+_ENDS = tuple(_ends(pair) for pair in PAIRS)
+"""The arms that are moved out of each contact."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,91 +90,86 @@ class ClearingMode:
 def cleared(skeleton: Skeleton, start: PosedBody, way: ClearingMode, weights: FloatArray) -> tuple[FloatArray, float]:
     """The local rotations of a stretch of frames after the round with the least penetration, and its depth in metres;
     displacements are times `weights` (F, 1)."""
-    found = contacts(skeleton, start)
-    pushes = {side: _to_begin_with(way, side, len(start.rotations)) for side in SIDES}
-    way_out = np.zeros_like(found.out)
-    arms = skeleton.chain(*(side + name for side in SIDES for name in ("UpperArm", "LowerArm", "Hand")))
-    least_m, rotations = float(found.depth_m.max()), start.rotations
-    most_rad = max(way.most_rad, _farthest_turn_rad(rotations.take(arms, axis=1)))
+    found, arms, among = contacts(skeleton, start), PosedArms.of(skeleton, start), ArmsOfBody.of(skeleton, start)
+    push = _to_begin_with(way, len(start.rotations))
+    way_out, best = np.zeros_like(found.out), arms.rotations
+    least_m = float(found.depth_m.max())
+    most_rad = max(way.most_rad, _farthest_turn_rad(arms.rotations))
     for number in range(way.rounds):
         if number or not way.aside:
-            way_out = _way_out(found, way_out, way)
-            one_way = _one_way(found, way_out, radii_m(skeleton))
-            pushes = {side: push.and_then(_push(one_way, side)) for side, push in pushes.items()}
-        swelling = {side: push.swelling(way.swell, weights) for side, push in pushes.items()}
-        body = start.with_arms(skeleton, displaced(skeleton, start, swelling))
-        found = contacts(skeleton, body)
-        if found.depth_m.max() < least_m and _farthest_turn_rad(body.rotations.take(arms, axis=1)) <= most_rad:
-            least_m, rotations = float(found.depth_m.max()), body.rotations
-        if found.depth_m.max() <= 0:
+            _decide_ways_out(way_out, found, way)
+            push = push.and_then(_push(skeleton, found, way_out))
+        turned = arms.displaced(push.swelling(way.swell, weights))
+        found = among.contacts(turned)
+        deepest_m = float(found.depth_m.max())
+        if deepest_m < least_m and _farthest_turn_rad(turned) <= most_rad:
+            least_m, best = deepest_m, turned
+        if deepest_m <= 0:
             break
-    return rotations, least_m
+    return start.rotations if best is arms.rotations else _with_arms(skeleton, start.rotations, best), least_m
 
 
-def _to_begin_with(way: ClearingMode, side: str, frames: int) -> Displacement:
-    """How an arm is displaced (F, 3) before anything is found in its way."""
-    by_m = way.aside.by_m if way.aside and way.aside.side == side else (0.0, 0.0, 0.0)
-    wrist_m = np.tile(by_m, (frames, 1))
-    return Displacement(wrist_m, _ELBOW_WITH_WRIST * wrist_m)
+def _with_arms(skeleton: Skeleton, rotations: FloatArray, arms: FloatArray) -> FloatArray:
+    """A copy of the local rotations (F, J, 4) with these (F, 2, 3, 4) of upper arms, lower arms and hands."""
+    rotations = rotations.copy()
+    skeleton.arms(rotations)[:, :, 1:4] = arms
+    return rotations
 
 
-def _farthest_turn_rad(rotations: FloatArray) -> float:
-    """How far any joint of (F, J, 4) turns from one frame to the next, at most."""
-    return float(angle_between(rotations[1:], rotations[:-1]).max(initial=0.0))
+def _to_begin_with(way: ClearingMode, frames: int) -> Displacement:
+    """How the arms are displaced before anything is found in their way."""
+    by_m = np.zeros((len(SIDES), 2, frames, 3))
+    if way.aside:
+        wrist_m = np.array(way.aside.by_m)
+        by_m[SIDES.index(way.aside.side)] = np.stack((wrist_m, _ELBOW_WITH_WRIST * wrist_m))[:, None]
+    return Displacement(by_m)
 
 
-def _way_out(found: Contacts, known: FloatArray, way: ClearingMode) -> FloatArray:
-    """The direction (T, P, 3) in which each contact is left.
+def _farthest_turn_rad(arms: FloatArray) -> float:
+    """How far any joint of arms (F, 2, 3, 4) turns from one frame to the next, at most."""
+    return 2 * acos(min(float(np.abs(dot(arms[1:], arms[:-1])).min(initial=1.0)), 1.0))
+
+
+def _decide_ways_out(way_out: FloatArray, found: Contacts, way: ClearingMode) -> None:
+    """Set the direction (T, P, 3) in which each contact is left, in place.
 
     It is the same for a whole stretch of frames and for all parts of trunk and legs, that of its deepest frames or its
     last, and the same in every round. Otherwise a limb that passes through the body would be pushed back and, from the
     middle on, forward, and one between belly and leg to and fro.
     """
-    way_out = known.copy()
     deep_m = np.maximum(found.depth_m, 0.0)
-    for columns in _TOGETHER:
+    touching = set(np.flatnonzero(deep_m.any(axis=0)).tolist())
+    for columns in (each for each in _TOGETHER if not touching.isdisjoint(each)):
         for first, past in stretches(deep_m[:, columns].max(axis=1) > 0):
-            there, before = (slice(first, past), columns), known[first:past, columns].sum(axis=(0, 1))
+            there, before = (slice(first, past), columns), way_out[first:past, columns].sum(axis=(0, 1))
             told = slice(max(first, past - max(1, way.swell // 3)) if way.as_it_ends else first, past), columns
             way_out[there] = before if before.any() else np.einsum("tp,tpk->k", deep_m[told], found.out[told])
-    return way_out
 
 
-def _one_way(found: Contacts, way_out: FloatArray, touching_m: FloatArray) -> Contacts:
-    """The contacts, with those that are nearer to the opposite side redirected through to this one; `touching_m` (P,)
-    is the distance at which each begins."""
-    wrong = (found.depth_m > 0) & (np.einsum("...k,...k->...", found.out, way_out) < 0)
-    through_m = found.depth_m + 2 * (touching_m - found.depth_m)
-    return replace(
-        found, depth_m=np.where(wrong, through_m, found.depth_m), out=np.where(wrong[..., None], -found.out, found.out)
-    )
-
-
-def _push(found: Contacts, side: str) -> Displacement:
-    """The sum of the displacements that the contacts of an arm require, each reduced by what the others already
-    achieve.
+def _push(skeleton: Skeleton, found: Contacts, way_out: FloatArray) -> Displacement:
+    """The sum of the displacements that the contacts require, each reduced by what the others already achieve; those
+    that are nearer to the side opposite to their `way_out` are redirected through to that.
 
     A hand is moved by its wrist; a forearm by wrist and elbow, in proportion to where the contact lies between them,
     though always by the wrist too.
     Where both arms are in a contact, each moves by half.
     """
-    wrist_m, elbow_m = np.zeros((2, len(found.depth_m), 3))
-    deep_m = np.where(found.depth_m > 0, found.depth_m + _CLEARANCE_M, 0.0)
-    for column in np.nonzero(deep_m.any(axis=0))[0]:
-        ends = (BUILD[PAIRS[column][0]], found.on_limb, 1.0), (BUILD[PAIRS[column][1]], found.on_other, -1.0)
-        both = all(capsule.part in LIMBS for capsule, _place, _sign in ends)
-        for capsule, place, sign in ends:
-            if capsule.part in LIMBS and capsule.joint.startswith(side):
-                out = found.out[:, column] * (sign * deep_m[:, column] * (0.5 if both else 1.0))[:, None]
-                share = np.maximum(place[:, column, None], _LEAST_SHARE if capsule.part == "forearm" else 1.0)
-                even = share**2 + (1 - share) ** 2
-                wrist_m += _beyond(out * share / even, wrist_m)
-                elbow_m += _beyond(out * (1 - share) / even, elbow_m)
-    return Displacement(wrist_m, elbow_m)
+    by_m = np.zeros((len(SIDES), 2, len(found.depth_m), 3))
+    for pair in np.flatnonzero((found.depth_m > 0).any(axis=0)).tolist():
+        depth_m, out = found.depth_m[:, pair, None], found.out[:, pair]
+        wrong = dot(out, way_out[:, pair]) < 0
+        asked_m = np.where(wrong, 2 * radii_m(skeleton)[pair] - depth_m, depth_m) + _CLEARANCE_M
+        way_m = out * np.where(depth_m > 0, np.where(wrong, -asked_m, asked_m), 0.0)
+        for end in _ENDS[pair]:
+            place = (found.on_other if end.of_other else found.on_limb)[:, pair, None]
+            share = np.maximum(place, end.least_share)
+            shares = np.concatenate((share[None], 1 - share[None]))
+            even = share * share + shares[1] * shares[1]
+            by_m[end.arm] += _beyond(way_m * (end.amount * shares / even), by_m[end.arm])
+    return Displacement(by_m)
 
 
 def _beyond(asked_m: FloatArray, given_m: FloatArray) -> FloatArray:
     """The part of `asked_m` that `given_m` does not already cover in its direction."""
-    size_m = np.maximum(length(asked_m), 1e-12)
-    done = np.sum(asked_m * given_m, axis=-1, keepdims=True) / size_m**2
+    done = dot(asked_m, given_m) / np.maximum(dot(asked_m, asked_m), _LEAST_SQUARED)
     return np.asarray(asked_m * clipped(1 - done, 0.0, 1.0))

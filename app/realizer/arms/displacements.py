@@ -8,7 +8,6 @@ Stretches of frames: runs of those in which something is true, and what is near 
 Conventions: booleans (T,) for each frame; a stretch is its first frame and the frame past its last.
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -18,33 +17,46 @@ from numpy.typing import NDArray
 from ...model import FloatArray
 from ..body.contacts import PosedBody
 from ..body.limits import MIRROR
-from ..body.skeleton import SIDES, Skeleton
+from ..body.skeleton import HANDS, Skeleton
 from ..geometry.curves import minimum_jerk
 from ..geometry.rotations import dot, inverse, length, multiply, nearest_sign, rotate
 from ..gestures.wrist_angles import preserving_wrist_angles
-from .arm_reach import ArmBones, reach_by_elbow, towards_elbow
+from .arm_reach import ArmBones, reach_by_elbow, shoulder_of, towards_elbow
 
 _ELBOW_AT_LEAST_M = 0.12
 _FARTHEST_M = 0.22
+_LEAST_M = 1e-6
 _TWIST: FloatArray = np.array([1.0, 0.0, 0.0, 1.0])
 _MIRRORS: FloatArray = np.stack((np.ones(4), MIRROR))
-_MIRRORED: FloatArray = np.array([[1.0, 1.0, 1.0], [-1.0, 1.0, 1.0]])
+_MIRRORED: FloatArray = np.array([[[1.0, 1.0, 1.0]], [[-1.0, 1.0, 1.0]]])
 """What makes rotations and places of either side those of the left."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Displacement:
-    """The displacements (T, 3) of a wrist and an elbow."""
+    """The displacements `by_m` (2, 2, T, 3) of the left and the right arm: of each the wrist's, then the elbow's. Both
+    arms are one array, since calls are what they cost."""
 
-    wrist_m: FloatArray
-    elbow_m: FloatArray
+    by_m: FloatArray
+
+    @classmethod
+    def of_wrists(cls, by_m: FloatArray) -> "Displacement":
+        """That of a left and a right wrist (2, T, 3); no elbow is displaced."""
+        return cls(np.stack((by_m, np.zeros_like(by_m)), axis=1))
 
     def and_then(self, other: "Displacement") -> "Displacement":
-        wrist_m, elbow_m = self.wrist_m + other.wrist_m, self.elbow_m + other.elbow_m
-        return Displacement(_at_most(wrist_m, _FARTHEST_M), _at_most(elbow_m, _FARTHEST_M))
+        by_m = self.by_m + other.by_m
+        return Displacement(by_m * np.minimum(1.0, _FARTHEST_M / np.maximum(length(by_m), 1e-12)))
 
     def swelling(self, swell: int, weights: FloatArray) -> "Displacement":
-        return Displacement(*(weights * _swelling(push_m, swell) for push_m in (self.wrist_m, self.elbow_m)))
+        return Displacement(
+            weights * _swelling(self.by_m.reshape(-1, *self.by_m.shape[2:]), swell).reshape(self.by_m.shape)
+        )
+
+    @property
+    def moved(self) -> NDArray[np.bool_]:
+        """Whether each arm is displaced in each frame (2, T)."""
+        return np.asarray(length(self.by_m)[..., 0].sum(axis=1) > _LEAST_M)
 
 
 def taper(frames: int, swell: int, ends: tuple[bool, bool]) -> FloatArray:
@@ -56,48 +68,66 @@ def taper(frames: int, swell: int, ends: tuple[bool, bool]) -> FloatArray:
     return minimum_jerk(np.minimum(from_start, from_end) / swell)[:, None]
 
 
-def displaced(skeleton: Skeleton, body: PosedBody, pushes: Mapping[str, Displacement]) -> FloatArray:
-    """The local rotations with both arms displaced, in the frames concerned."""
-    rotations = body.rotations.copy()
-    moved = [np.flatnonzero(length(push.wrist_m) + length(push.elbow_m) > 1e-6) for push in pushes.values()]
-    frames = np.concatenate(moved)
-    if len(frames):
-        arms = np.repeat([SIDES.index(side) for side in pushes], [len(each) for each in moved])
-        pushed = zip(moved, pushes.values(), strict=True)
-        ways_m = [(push.wrist_m[there], push.elbow_m[there]) for there, push in pushed]
-        push = Displacement(*(np.concatenate(each) for each in zip(*ways_m, strict=True)))
-        joints = _arm_joints(skeleton)[arms]
-        rotations[frames[:, None], joints[:, 1:]] = _solved_again(skeleton, body, frames, arms, push)
-    return rotations
+@dataclass(frozen=True, slots=True, eq=False)
+class PosedArms:
+    """The local `rotations` (T, 2, 3, 4) of upper arm, lower arm and hand of a body's left and right arm, and what
+    solving them again needs to know: the way `back` (T, 4) into the space of the chest, and there, of both as left
+    arms, the rotations of the collarbone (2, T, 4) and of the other three, `before` (2, T, 3, 4), the way from shoulder
+    to wrist, the direction of the elbow, and the orientation of the hand."""
 
+    bones: ArmBones
+    rotations: FloatArray
+    back: FloatArray
+    collarbone: FloatArray
+    before: FloatArray
+    to_wrist_m: FloatArray
+    elbow: FloatArray
+    hand: FloatArray
 
-def _solved_again(
-    skeleton: Skeleton, body: PosedBody, frames: NDArray[np.intp], arms: NDArray[np.intp], push: Displacement
-) -> FloatArray:
-    """Upper arm, lower arm and hand (M, 3, 4) of these arms (M,), 0 for the left one, in these frames (M,), solved for
-    the displaced wrists and elbows (M, 3): both arms at once, since calls are what this costs."""
-    joints, chest = _arm_joints(skeleton)[arms], skeleton.index["upperChest"]
-    bones = ArmBones.of(skeleton)
-    hand_m, chest_m = body.positions_m[frames, joints[:, -1]], body.positions_m[frames, chest]
-    hand, back = body.orientations[frames, joints[:, -1]], inverse(body.orientations[frames, chest])
-    mirror, across = _MIRRORS[arms], _MIRRORED[arms]
-    root_m = bones.root_m - skeleton.offsets_m[skeleton.index["leftShoulder"]]
-    wrist_m, elbow_push_m = rotate(back, np.stack((hand_m + push.wrist_m - chest_m, push.elbow_m))) * across
-    before = body.rotations[frames[:, None], joints]
-    collarbone, upper_arm, lower_arm = (before[:, joint] * mirror for joint in range(3))
-    elbow = towards_elbow(multiply(collarbone, upper_arm), _without_twist(lower_arm), bones)
-    elbow = elbow + (elbow_push_m - dot(elbow_push_m, elbow) * elbow) / _ELBOW_AT_LEAST_M
-    arm = reach_by_elbow(bones, collarbone, wrist_m + root_m, elbow)
-    turn = preserving_wrist_angles(arm.forearm, multiply(back, hand) * mirror).clamped()
-    after = np.stack((arm.upper_arm, multiply(arm.elbow, turn.forearm), turn.hand), axis=1)
-    return nearest_sign(after * mirror[:, None], before[:, 1:])
+    @classmethod
+    def of(cls, skeleton: Skeleton, body: PosedBody) -> "PosedArms":
+        """The arms of these frames."""
+        bones, chest = ArmBones.of(skeleton), skeleton.index["upperChest"]
+        hands = skeleton.chain(*HANDS)
+        places_m, turned = body.positions_m.swapaxes(0, 1), body.orientations.swapaxes(0, 1)
+        back = inverse(turned[chest])
+        arms = skeleton.arms(body.rotations)[:, :, :4]
+        local = arms.swapaxes(0, 1) * _MIRRORS[:, None, None]
+        collarbone, upper_arm, lower_arm = local[:, :, 0], local[:, :, 1], local[:, :, 2]
+        root_m = bones.root_m - skeleton.offsets_m[skeleton.index["leftShoulder"]]
+        return cls(
+            bones,
+            arms[:, :, 1:],
+            back,
+            collarbone,
+            local[:, :, 1:],
+            rotate(back, places_m[hands] - places_m[chest]) * _MIRRORED + root_m - shoulder_of(bones, collarbone),
+            towards_elbow(multiply(collarbone, upper_arm), _without_twist(lower_arm), bones),
+            multiply(back, turned[hands]) * _MIRRORS[:, None],
+        )
 
+    def displaced(self, push: Displacement) -> FloatArray:
+        """The local rotations (T, 2, 3, 4) with both arms displaced, in the frames concerned."""
+        turned, moved = self.rotations.copy(), push.moved
+        which = np.flatnonzero(moved.any(axis=1))
+        if len(which):
+            arms = slice(int(which[0]), int(which[-1]) + 1)
+            solved = self._solved_again(arms, push.by_m[arms])
+            np.copyto(turned[:, arms], solved.swapaxes(0, 1), where=moved[arms].T[:, :, None, None])
+        return turned
 
-@lru_cache(maxsize=64)
-def _arm_joints(skeleton: Skeleton) -> NDArray[np.intp]:
-    """Collarbone, upper arm, lower arm and hand (2, 4) of the left and of the right arm. Cached; never mutated."""
-    names = ("Shoulder", "UpperArm", "LowerArm", "Hand")
-    return np.array([skeleton.chain(*(side + name for name in names)) for side in SIDES], dtype=np.intp)
+    def _solved_again(self, arms: slice, by_m: FloatArray) -> FloatArray:
+        """Upper arm, lower arm and hand (A, T, 3, 4) of these arms, solved for displaced wrists and elbows (A, 2, T,
+        3)."""
+        elbow, mirrors = self.elbow[arms], _MIRRORS[arms, None, None]
+        push_m = rotate(self.back, by_m) * _MIRRORED[arms, None]
+        to_wrist_m, elbow_m = self.to_wrist_m[arms] + push_m[:, 0], push_m[:, 1]
+        elbow = elbow + (elbow_m - dot(elbow_m, elbow) * elbow) / _ELBOW_AT_LEAST_M
+        arm = reach_by_elbow(self.bones, self.collarbone[arms], to_wrist_m, elbow)
+        turn = preserving_wrist_angles(arm.forearm, self.hand[arms]).clamped()
+        after = np.empty((*elbow.shape[:2], 3, 4))
+        after[:, :, 0], after[:, :, 1], after[:, :, 2] = arm.upper_arm, multiply(arm.elbow, turn.forearm), turn.hand
+        return nearest_sign(after, self.before[arms]) * mirrors
 
 
 def _without_twist(lower_arm: FloatArray) -> FloatArray:
@@ -106,29 +136,41 @@ def _without_twist(lower_arm: FloatArray) -> FloatArray:
     return multiply(lower_arm, inverse(twist / np.maximum(length(twist), 1e-12)))
 
 
-def _at_most(push_m: FloatArray, farthest_m: float) -> FloatArray:
-    return np.asarray(push_m * np.minimum(1.0, farthest_m / np.maximum(length(push_m), 1e-12)))
-
-
-def _swelling(push_m: FloatArray, swell: int) -> FloatArray:
-    """A displacement (T, 3) spread smoothly over neighbouring frames, hardly smaller than required.
+def _swelling(pushes_m: FloatArray, swell: int) -> FloatArray:
+    """Displacements (N, T, 3) spread smoothly over neighbouring frames, hardly smaller than required.
 
     The maximum size within the window, averaged over the window, covers every frame's own; directions are averaged over
     twice the window, and where they disagree the displacement shrinks.
     """
-    size_m = length(push_m)[:, 0]
-    if not size_m.any():
-        return push_m
+    frames, size_m = pushes_m.shape[1], length(pushes_m)
     bell, wide = _bells(swell)
-    nothing = np.zeros(swell)
-    padded = np.concatenate([nothing, size_m, nothing])
-    largest = np.lib.stride_tricks.sliding_window_view(padded, 2 * swell + 1).max(axis=1)
-    before, after = largest[:1].repeat(swell), largest[-1:].repeat(swell)
-    swollen_m = np.convolve(np.concatenate([before, largest, after]), bell, mode="valid")
-    middle = slice(2 * swell, 2 * swell + len(push_m))
-    towards = np.stack([np.convolve(part, wide)[middle] for part in push_m.T], axis=-1)
-    agreed = np.convolve(size_m, wide)[middle]
-    return np.asarray(towards * (swollen_m / np.maximum(agreed, 1e-12))[:, None])
+    largest = _largest_within(size_m[..., 0], swell)
+    swollen_m = _averaged(
+        np.concatenate([largest[:, :1].repeat(swell, 1), largest, largest[:, -1:].repeat(swell, 1)], axis=1), bell
+    )
+    ways_m = np.zeros((len(pushes_m), 4, frames + 2 * swell))
+    ways_m[:, :3, :frames], ways_m[:, 3, :frames] = pushes_m.swapaxes(1, 2), size_m[..., 0]
+    ways_m = _averaged(ways_m, wide)[:, :, :frames]
+    ways_m[:, :3] *= (swollen_m[:, swell:-swell] / np.maximum(ways_m[:, 3], 1e-12))[:, None]
+    return ways_m[:, :3].swapaxes(1, 2)
+
+
+def _largest_within(values: FloatArray, reach: int) -> FloatArray:
+    """The largest of the values (N, T), none of them negative, from `reach` frames before each to `reach` after: of
+    windows that double in size, then of the two that the whole one consists of."""
+    found = np.zeros((len(values), values.shape[1] + 2 * reach))
+    found[:, reach:-reach] = values
+    width = 1
+    while 2 * width <= 2 * reach + 1:
+        found, width = np.maximum(found[:, :-width], found[:, width:]), 2 * width
+    beyond = 2 * reach + 1 - width
+    return np.maximum(found[:, : -beyond or None], found[:, beyond:])
+
+
+def _averaged(curves: FloatArray, weights: FloatArray) -> FloatArray:
+    """The curves (…, T), each frame the sum of its neighbours times the weights: one after the other in one array, so
+    that in frames nearer to an end than half of the weights are, neighbours are those of the curve beside it."""
+    return np.convolve(curves.ravel(), weights, mode="same").reshape(curves.shape)
 
 
 @lru_cache(maxsize=16)

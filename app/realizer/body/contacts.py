@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 
 from ...model import FloatArray
 from ..geometry.curves import clipped
-from ..geometry.rotations import cross, dot, rotate
+from ..geometry.rotations import cross, dot, multiply, rotate
 from .proportions import Proportions
-from .skeleton import HANDS, SIDES, Skeleton, forward, forward_again
+from .skeleton import HANDS, SIDES, Skeleton, forward
 
 Point = tuple[float, float, float]
 
@@ -105,7 +105,9 @@ def _pairs() -> tuple[tuple[int, int], ...]:
 PAIRS: tuple[tuple[int, int], ...] = _pairs()
 """Indices into `BUILD` of the parts that are compared: a limb, and what it may collide with."""
 
-_USED = sorted({number for pair in PAIRS for number in pair})
+_USED = sorted({number for pair in PAIRS for number in pair}, key=lambda number: (BUILD[number].part in LIMBS, number))
+_FIRST_LIMB = sum(BUILD[number].part not in LIMBS for number in _USED)
+"""Limbs are the last of the parts: forearm and hand of the left arm, then of the right one."""
 _LIMB_COLUMN, _OTHER_COLUMN = (np.array([_USED.index(pair[end]) for pair in PAIRS]) for end in (0, 1))
 
 _CROSSING = np.array([float(BUILD[other].part in LIMBS) for _limb, other in PAIRS])
@@ -175,29 +177,75 @@ class PosedBody:
             for here, there in ((self.positions_m, now.positions_m), (self.orientations, now.orientations)):
                 here.swapaxes(0, 1)[joints[:, None], block] = there.swapaxes(0, 1)[joints]
 
-    def with_arms(self, skeleton: Skeleton, rotations: FloatArray) -> "PosedBody":
-        """The same frames with new local rotations of the arms."""
-        arms = frozenset(
-            skeleton.chain(*(side + joint for side in SIDES for joint in ("UpperArm", "LowerArm", "Hand")))
-        )
-        return PosedBody(rotations, *forward_again(skeleton, rotations, self.positions_m, self.orientations, arms))
-
 
 def contacts(skeleton: Skeleton, body: PosedBody) -> Contacts:
     """The contacts of every pair in every frame."""
-    near = _nearest(skeleton, body, None)
+    return _contacts(skeleton, _nearest(skeleton, *_lines(skeleton, body, None)))
+
+
+def _contacts(skeleton: Skeleton, near: "_Nearest") -> Contacts:
     out, inside = np.zeros_like(near.apart_m), np.nonzero(near.depth_m > 0)
     if len(inside[0]):
-        apart_m, along, other, between_m = (
-            np.stack([part[inside] for part in each], axis=-1)
-            for each in (near.apart_m, near.along_m, near.other_m, near.between_m)
-        )
+        vectors = (near.apart_m, near.along_m, near.other_m, near.between_m)
+        apart_m, along, other, between_m = (each[:, inside[0], inside[1]].T for each in vectors)
         aside = _aside(along, other, between_m - other / 2, _CROSSING[inside[0]])
         distance_m = (radii_m(skeleton)[:, None] - near.depth_m)[inside][:, None]
         ways = _of_length_1(apart_m + aside * _CENTRAL_M * np.exp(-distance_m / _CENTRAL_M))
         for part in range(3):
             out[part][inside] = ways[:, part]
     return Contacts(near.depth_m.T, out.T, near.on_limb.T, near.on_other.T)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ArmsOfBody:
+    """Frames of a body in which only upper arms, lower arms and hands are turned otherwise: orientations (2, F, 4) of
+    both collarbones and places (2, F, 3) of both shoulders, and the segments of the parts, as of `_lines`, in which
+    those of the limbs are changed in place."""
+
+    skeleton: Skeleton
+    collarbones: FloatArray
+    shoulders_m: FloatArray
+    starts_m: FloatArray
+    lines_m: FloatArray
+
+    @classmethod
+    def of(cls, skeleton: Skeleton, body: PosedBody) -> "ArmsOfBody":
+        """The arms of a body whose other joints stay as they are."""
+        collarbones, upper_arms = (
+            skeleton.chain(*(side + name for side in SIDES)) for name in ("Shoulder", "UpperArm")
+        )
+        turned, at_m = body.orientations.swapaxes(0, 1), body.positions_m.swapaxes(0, 1)
+        return cls(skeleton, turned[collarbones], at_m[upper_arms], *_lines(skeleton, body, None))
+
+    def contacts(self, arms: FloatArray) -> Contacts:
+        """The contacts with these local rotations (F, 2, 3, 4) of upper arms, lower arms and hands."""
+        upper, lower, hand = arms.transpose(2, 1, 0, 3)
+        turned = np.empty((3, *upper.shape))
+        turned[0] = multiply(self.collarbones, upper)
+        turned[1] = multiply(turned[0], lower)
+        turned[2] = multiply(turned[1], hand)
+        ways_m = rotate(turned.take(_CARRIED_BY, axis=0), _arm_ways_m(self.skeleton))
+        ways_m[0] += self.shoulders_m
+        ways_m[1] += ways_m[0]
+        ways_m[2:4] += ways_m[:2]
+        starts_m, lines_m = ways_m[2:].reshape(2, 2, *ways_m.shape[1:]).transpose(0, 4, 2, 1, 3)
+        for all_m, limbs_m in ((self.starts_m, starts_m), (self.lines_m, lines_m)):
+            all_m[:, _FIRST_LIMB:] = limbs_m.reshape(3, -1, len(arms))
+        return _contacts(self.skeleton, _nearest(self.skeleton, self.starts_m, self.lines_m))
+
+
+_CARRIED_BY = np.array([0, 1, 1, 2, 1, 2])
+"""Of upper arm, lower arm and hand, which carries each of `_arm_ways_m`."""
+
+
+@lru_cache(maxsize=64)
+def _arm_ways_m(skeleton: Skeleton) -> FloatArray:
+    """The ways (6, 2, 1, 3) from shoulders to elbows and on to wrists, from there to where forearms and hands begin as
+    parts, and to where these end. Cached; never mutated."""
+    bones = [skeleton.offsets_m[skeleton.chain(*(side + name for side in SIDES))] for name in ("LowerArm", "Hand")]
+    _joints, (starts_m, lines_m) = _carried(skeleton)
+    parts = [each[_FIRST_LIMB + limb :: len(LIMBS), 0] for each in (starts_m, lines_m) for limb in range(len(LIMBS))]
+    return np.stack([*bones, *parts])[:, :, None]
 
 
 def depths_m(
@@ -211,12 +259,12 @@ def depths_m(
     where the joints that carry the parts are, need not be given, and is not looked at in a long motion."""
     frames = np.arange(len(rotations)) if frames is None else frames
     if posed is not None and len(rotations) <= _BLOCK:
-        return _nearest(skeleton, posed, frames).depth_m.T
+        return _nearest(skeleton, *_lines(skeleton, posed, frames)).depth_m.T
     found = np.empty((len(frames), len(PAIRS)))
     for first in range(0, len(frames), _BLOCK):
         block = frames[first : first + _BLOCK]
         part = PosedBody.of(skeleton, rotations.take(block, axis=0), hips_m.take(block, axis=0))
-        found[first : first + _BLOCK] = _nearest(skeleton, part, None).depth_m.T
+        found[first : first + _BLOCK] = _nearest(skeleton, *_lines(skeleton, part, None)).depth_m.T
     return found
 
 
@@ -232,9 +280,9 @@ def _lines(skeleton: Skeleton, body: PosedBody, frames: NDArray[np.intp] | None)
     joints, segments_m = _carried(skeleton)
     chosen = joints if frames is None else (joints[:, None], frames)
     at_m, turned = body.positions_m.swapaxes(0, 1)[chosen], body.orientations.swapaxes(0, 1)[chosen]
-    starts_m, lines_m = rotate(turned, segments_m)
-    starts_m += at_m
-    return np.ascontiguousarray(np.moveaxis(starts_m, -1, 0)), np.ascontiguousarray(np.moveaxis(lines_m, -1, 0))
+    starts_m, lines_m = np.ascontiguousarray(rotate(turned, segments_m).transpose(0, 3, 1, 2))
+    starts_m += at_m.transpose(2, 0, 1)
+    return starts_m, lines_m
 
 
 @lru_cache(maxsize=64)
@@ -282,31 +330,33 @@ class _Nearest:
     between_m: FloatArray
 
 
-def _nearest(skeleton: Skeleton, body: PosedBody, frames: NDArray[np.intp] | None) -> _Nearest:
-    """The nearest points of each pair (Ericson, Real-Time Collision Detection, §5.1.9) in the frames with these
-    numbers, or in all."""
-    starts_m, lines_m = _lines(skeleton, body, frames)
+def _nearest(skeleton: Skeleton, starts_m: FloatArray, lines_m: FloatArray) -> _Nearest:
+    """The nearest points of each pair (Ericson, Real-Time Collision Detection, §5.1.9); the segments of the parts are
+    those of `_lines`."""
     between_m = starts_m.take(_LIMB_COLUMN, axis=1) - starts_m.take(_OTHER_COLUMN, axis=1)
     along_m, other_m = lines_m.take(_LIMB_COLUMN, axis=1), lines_m.take(_OTHER_COLUMN, axis=1)
-    (a, e), b = _squared_lengths(skeleton), _sum(along_m * other_m)
-    c, f = _sum(along_m * between_m), _sum(other_m * between_m)
+    (a, e), b = _squared_lengths(skeleton), _products(along_m, other_m)
+    c, f = _products(along_m, between_m), _products(other_m, between_m)
     on_limb = clipped((b * f - c * e) / np.maximum(a * e - b * b, 1e-12), 0.0, 1.0)
     on_other = clipped((b * on_limb + f) / e, 0.0, 1.0)
     on_limb = clipped((b * on_other - c) / a, 0.0, 1.0)
-    apart_m = between_m + on_limb * along_m - on_other * other_m
-    depth_m = radii_m(skeleton)[:, None] - np.sqrt(_sum(apart_m * apart_m))
+    apart_m = on_limb * along_m
+    apart_m -= on_other * other_m
+    apart_m += between_m
+    depth_m = radii_m(skeleton)[:, None] - np.sqrt(_products(apart_m, apart_m))
     return _Nearest(depth_m, on_limb, on_other, apart_m, along_m, other_m, between_m)
 
 
-def _sum(parts: FloatArray) -> FloatArray:
-    """x + y + z (…) of (3, …)."""
-    x, y, z = parts
-    return np.asarray(x + y + z)
+def _products(a: FloatArray, b: FloatArray) -> FloatArray:
+    """The dot products (P, F) of vectors (3, P, F) that lie together in memory: of these, sooner than by `dot`."""
+    return np.asarray(np.einsum("kpf,kpf->pf", a, b))
 
 
 def _aside(along: FloatArray, other: FloatArray, back: FloatArray, arms: FloatArray) -> FloatArray:
     """The way out (…, 3) for limbs whose segment intersects the other's; `arms` (…) is 1 where both are arms, else
     0."""
+    if not arms.any():
+        return _of_length_1(back)
     over = cross(_of_length_1(along), _of_length_1(other)) * arms[..., None]
     over = over * np.where(_dot(over, np.array([0.0, 1.0, 1.0])) < 0, -1.0, 1.0)[..., None]
     crossing = np.sqrt(_dot(over, over))[..., None]

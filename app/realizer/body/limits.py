@@ -23,6 +23,7 @@ from .skeleton import FINGERS, SIDES, Skeleton
 Degrees = tuple[float, float, float]
 
 _HANGING = from_axis_angle((0.0, 0.0, 1.0), np.array(-np.pi / 2))
+_FROM_HANGING = inverse(_HANGING)
 _AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 _TOLERATED_DEG = 1e-3
 _NEAR_ZERO = 1e-12
@@ -73,6 +74,11 @@ def _sided(side: str, limit: JointLimit) -> JointLimit:
     joints = tuple(side + joint for joint in limit.joints)
     return JointLimit(joints, limit.bone, limit.lowest_deg, limit.highest_deg, limit.from_hanging)
 
+
+_SHOULDER_DEG, _NECK_DEG = (
+    (np.array(limit.lowest_deg), np.array(limit.highest_deg)) for limit in (_SHOULDER, _TRUNK[1])
+)
+"""The lowest and the highest angles, as arrays, which NumPy needs no time to make."""
 
 LIMITS: tuple[JointLimit, ...] = (*_TRUNK, *(_sided(side, limit) for side in SIDES for limit in (*_ARM, *_PHALANGES)))
 
@@ -162,7 +168,7 @@ def swing_twist_deg(rotation: FloatArray, bone: int) -> FloatArray:
 
 def shoulder_deg(orientation: FloatArray) -> FloatArray:
     """The angles of the left upper arm, given its orientation (…, 4) in the upper chest's space."""
-    return swing_twist_deg(multiply(orientation, inverse(_HANGING)), 1)
+    return swing_twist_deg(multiply(orientation, _FROM_HANGING), 1)
 
 
 def shoulder_turned(angles_deg: FloatArray) -> FloatArray:
@@ -173,7 +179,7 @@ def shoulder_turned(angles_deg: FloatArray) -> FloatArray:
 def within_shoulder_limits(orientation: FloatArray) -> FloatArray:
     """The orientation (…, 4) of the left upper arm in the upper chest's space, clamped to the shoulder's limits."""
     angles = shoulder_deg(orientation)
-    within = clipped(angles, _SHOULDER.lowest_deg, _SHOULDER.highest_deg)
+    within = clipped(angles, *_SHOULDER_DEG)
     passed = (within != angles).any(axis=-1, keepdims=True)
     return np.asarray(np.where(passed, _joined(_SHOULDER, within), orientation)) if passed.any() else orientation
 
@@ -184,7 +190,7 @@ def within_neck_limits(turned: FloatArray) -> FloatArray:
     if _turns_less(turned, neck.free_deg):
         return turned
     angles = swing_twist_deg(turned, 1)
-    within = clipped(angles, neck.lowest_deg, neck.highest_deg)
+    within = clipped(angles, *_NECK_DEG)
     passed = (within != angles).any(axis=-1, keepdims=True)
     return np.asarray(np.where(passed, _joined(neck, within), turned)) if passed.any() else turned
 

@@ -145,16 +145,6 @@ def forward(
     return positions, orientations
 
 
-def forward_again(
-    skeleton: Skeleton, rotations: FloatArray, positions: FloatArray, orientations: FloatArray, turned: frozenset[int]
-) -> tuple[FloatArray, FloatArray]:
-    """`forward` after a change of the local rotations of the joints `turned` only (not the hips): copies the given
-    positions and orientations and updates those of `turned`. The children of these joints are not updated."""
-    positions, orientations = positions.copy("K"), orientations.copy("K")
-    _place(skeleton, rotations, positions, orientations, turned)
-    return positions, orientations
-
-
 def _place(
     skeleton: Skeleton,
     rotations: FloatArray,

@@ -30,6 +30,8 @@ HIGHEST_DEG: FloatArray = np.array([80.0, 30.0, 70.0])
 """Limits of the twist, of the bend about y (20° towards the thumb, 30° away) and about z (80° flexion, 70°
 extension)."""
 
+_LOWEST, _HIGHEST = np.radians(LOWEST_DEG), np.radians(HIGHEST_DEG)
+_BEND: FloatArray = np.array([0.0, 1.0, 1.0])
 _FINGERS: FloatArray = np.array([1.0, 0.0, 0.0])
 _PALM: FloatArray = np.array([0.0, -1.0, 0.0])
 
@@ -48,7 +50,7 @@ class WristAngles:
     @property
     def hand(self) -> FloatArray:
         """The rotation of the hand's bend."""
-        return from_rotation_vector(self.angles * np.array([0.0, 1.0, 1.0]))
+        return from_rotation_vector(self.angles * _BEND)
 
     @property
     def excess(self) -> FloatArray:
@@ -57,7 +59,7 @@ class WristAngles:
 
     def clamped(self) -> "WristAngles":
         """The angles clamped to the limits."""
-        return WristAngles(clipped(self.angles, np.radians(LOWEST_DEG), np.radians(HIGHEST_DEG)))
+        return WristAngles(clipped(self.angles, _LOWEST, _HIGHEST))
 
 
 def wrist_angles(forearm: FloatArray, finger_base: FloatArray | None, palm: FloatArray | None) -> WristAngles:
@@ -93,6 +95,8 @@ def _held(fingers: FloatArray, palm: FloatArray) -> FloatArray:
 def _parted(rotation: FloatArray) -> WristAngles:
     """A rotation as a twist about x, then a bend without any (swing-twist decomposition)."""
     twist = 2 * np.arctan2(rotation[..., 0], rotation[..., 3])
-    twist = np.where(twist > np.pi, twist - 2 * np.pi, np.where(twist < -np.pi, twist + 2 * np.pi, twist))
-    bend = to_rotation_vector(multiply(from_axis_angle((-1.0, 0.0, 0.0), twist), rotation))
-    return WristAngles(np.concatenate([twist[..., None], bend[..., 1:]], axis=-1))
+    twist -= (2 * np.pi) * (twist > np.pi)
+    twist += (2 * np.pi) * (twist < -np.pi)
+    angles = to_rotation_vector(multiply(from_axis_angle((-1.0, 0.0, 0.0), twist), rotation))
+    angles[..., 0] = twist
+    return WristAngles(angles)

@@ -21,7 +21,7 @@ from types import MappingProxyType
 import numpy as np
 
 from ...model import FloatArray, Hand, Schedule
-from ..arms.displacements import Displacement, displaced
+from ..arms.displacements import Displacement, PosedArms
 from ..arms.rest_poses import rest_pose, resting
 from ..body.contacts import PosedBody
 from ..body.motion import BodyMotion
@@ -133,15 +133,12 @@ def with_hands_on_pelvis(skeleton: Skeleton, body: BodyMotion, plan: GesturePlan
         share = plateau(times_s, begins_s, rest.start_s, rest.end_s, ends_s)
         shares[SIDES.index(rest.side)] += share
         places_m[SIDES.index(rest.side)] += share[:, None] * _at_rest_m(skeleton, rest)
-    moved = np.flatnonzero(shares.any(axis=0))
+    moved, arms = np.flatnonzero(shares.any(axis=0)), skeleton.arms(body.rotations)[:, :, 1:4]
     for first in range(0, len(moved), _FRAMES_AT_ONCE):
         frames = moved[first : first + _FRAMES_AT_ONCE]
-        posed, still = PosedBody.of(skeleton, body.rotations[frames], body.hips_m[frames]), np.zeros((len(frames), 3))
-        pushes = {
-            side: Displacement(_carried_m(skeleton, posed, share[frames], place_m[frames]), still)
-            for side, share, place_m in zip(SIDES, shares, places_m, strict=True)
-        }
-        body.rotations[frames] = displaced(skeleton, posed, pushes)
+        posed = PosedBody.of(skeleton, body.rotations[frames], body.hips_m[frames])
+        carried_m = _carried_m(skeleton, posed, shares[:, frames], places_m[:, frames])
+        arms[frames] = PosedArms.of(skeleton, posed).displaced(Displacement.of_wrists(carried_m))
     return body
 
 
@@ -153,14 +150,14 @@ def _at_rest_m(skeleton: Skeleton, rest: ArmRest) -> FloatArray:
 
 
 def _carried_m(skeleton: Skeleton, posed: PosedBody, share: FloatArray, place_m: FloatArray) -> FloatArray:
-    """How far (F, 3) a wrist that is at rest by this share (F,) is from where the chest carries it, if the pelvis
-    carries it; `place_m` (F, 3) is that share of its place."""
+    """How far (2, F, 3) wrists that are at rest by these shares (2, F) are from where the chest carries them, if the
+    pelvis carries them; `place_m` (2, F, 3) is that share of their places."""
     hips, *spine, chest = skeleton.chain(*_TRUNK)
-    upright_m = share[:, None] * np.sum(skeleton.offsets_m[[*spine, chest]], axis=0)
+    upright_m = share[..., None] * np.sum(skeleton.offsets_m[[*spine, chest]], axis=0)
     by_pelvis_m = rotate(posed.orientations[:, hips], place_m)
     by_chest_m = rotate(posed.orientations[:, chest], place_m - upright_m)
     between_m = posed.positions_m[:, hips] - posed.positions_m[:, chest]
-    return np.asarray(share[:, None] * between_m + by_pelvis_m - by_chest_m)
+    return np.asarray(share[..., None] * between_m + by_pelvis_m - by_chest_m)
 
 
 LIFTS_DEG: Mapping[str, float] = MappingProxyType(

@@ -9,6 +9,7 @@ from understudy.realizer.arms.arm_reach import (
     collarbone_for,
     reach,
     reach_by_elbow,
+    shoulder_of,
     towards_elbow,
 )
 from understudy.realizer.body.skeleton import Skeleton
@@ -66,6 +67,6 @@ def test_collarbones_rise_with_high_hands_and_come_forward_with_far_ones() -> No
 def test_an_arm_solved_by_its_own_elbow_stays_as_it_is() -> None:
     arms = reach(BONES, ANYWHERE, swivel_rad=np.random.default_rng(1).uniform(-0.5, 0.8, 300))
     elbow = towards_elbow(multiply(arms.collarbone, arms.upper_arm), arms.elbow, BONES)
-    again = reach_by_elbow(BONES, arms.collarbone, arms.wrist_m, elbow)
+    again = reach_by_elbow(BONES, arms.collarbone, arms.wrist_m - shoulder_of(BONES, arms.collarbone), elbow)
     assert np.all(angle_between(arms.upper_arm, again.upper_arm) < 1e-5)
     assert np.all(angle_between(arms.elbow, again.elbow) < 1e-5)

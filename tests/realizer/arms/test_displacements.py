@@ -5,7 +5,7 @@ import pytest
 
 from tests.realizer.arms.test_collisions import BEFORE, BODY, moving
 from understudy.model import FloatArray, Hand
-from understudy.realizer.arms.displacements import Displacement, around, displaced, frames_in, stretches, taper
+from understudy.realizer.arms.displacements import Displacement, PosedArms, around, frames_in, stretches, taper
 from understudy.realizer.body.contacts import PosedBody
 
 SWELL = 6
@@ -25,27 +25,30 @@ def test_weights_rise_from_the_ends_beyond_which_nothing_is_moved() -> None:
 
 
 def test_a_displacement_reaches_what_is_asked_for_and_comes_and_goes() -> None:
-    swelling = Displacement(pushed(60, 30, 0.05), pushed(60, 30, 0.0)).swelling(SWELL, np.ones((60, 1)))
-    size_m = swelling.wrist_m[:, 0]
+    push = Displacement.of_wrists(np.stack((pushed(60, 30, 0.05), pushed(60, 30, 0.0))))
+    by_m = push.swelling(SWELL, np.ones((60, 1))).by_m
+    size_m = by_m[0, 0, :, 0]
     assert size_m[30] == pytest.approx(0.05, rel=0.01)
     assert size_m[30 - 3 * SWELL] == size_m[30 + 3 * SWELL] == 0
     assert np.abs(np.diff(size_m)).max() < 2 * 0.05 / SWELL
-    assert not swelling.elbow_m.any()
+    assert not by_m[0, 1].any()
+    assert not by_m[1].any()
 
 
 def test_displacements_that_add_up_stay_within_reach() -> None:
-    far = Displacement(pushed(1, 0, 0.2), pushed(1, 0, 0.2))
-    assert far.and_then(far).wrist_m[0] == pytest.approx([0.22, 0.0, 0.0])
+    far = Displacement.of_wrists(np.stack((pushed(1, 0, 0.2), pushed(1, 0, 0.2))))
+    assert far.and_then(far).by_m[1, 0, 0] == pytest.approx([0.22, 0.0, 0.0])
 
 
 def test_a_wrist_goes_where_it_is_displaced_to_and_the_hand_keeps_its_orientation() -> None:
     body = moving((Hand.RIGHT, BEFORE))
     posed = PosedBody.of(BODY, body.rotations, body.hips_m)
-    push_m = np.zeros((len(body.times_s), 3))
-    push_m[80] = [-0.03, 0.02, 0.0]
-    rotations = displaced(BODY, posed, {"right": Displacement(push_m, np.zeros_like(push_m))})
+    push_m = np.zeros((2, len(body.times_s), 3))
+    push_m[1, 80] = [-0.03, 0.02, 0.0]
+    rotations = body.rotations.copy()
+    BODY.arms(rotations)[:, :, 1:4] = PosedArms.of(BODY, posed).displaced(Displacement.of_wrists(push_m))
     after, wrist = PosedBody.of(BODY, rotations, body.hips_m), BODY.index["rightHand"]
-    assert after.positions_m[80, wrist] - posed.positions_m[80, wrist] == pytest.approx(push_m[80], abs=1e-6)
+    assert after.positions_m[80, wrist] - posed.positions_m[80, wrist] == pytest.approx(push_m[1, 80], abs=1e-6)
     assert after.orientations[80, wrist] == pytest.approx(posed.orientations[80, wrist], abs=1e-6)
     assert np.array_equal(rotations[:80], body.rotations[:80])
 

@@ -5,7 +5,16 @@ import numpy as np
 from understudy.model import FloatArray, Hand
 from understudy.realizer.arms.posing import arm_rotations, pose_arm
 from understudy.realizer.arms.rest_poses import rest_pose
-from understudy.realizer.body.contacts import BUILD, LIMBS, PAIRS, PosedBody, contacts, penetrations_m, radii_m
+from understudy.realizer.body.contacts import (
+    BUILD,
+    LIMBS,
+    PAIRS,
+    ArmsOfBody,
+    PosedBody,
+    contacts,
+    penetrations_m,
+    radii_m,
+)
 from understudy.realizer.body.skeleton import HIPS_HEIGHT_M, Skeleton, arm_joints, forward
 from understudy.realizer.geometry.rotations import IDENTITY
 from understudy.realizer.gestures.gesture import ArmKey, Depth, HeightSector, SectorPlace, Sideways
@@ -71,4 +80,6 @@ def test_arms_moved_alone_are_as_arms_placed_from_the_hips() -> None:
     rotations = anew.rotations.copy()
     rotations[:, collarbones] = start.rotations[:, collarbones]
     whole = contacts(BODY, PosedBody.of(BODY, rotations, np.zeros((1, 3))))
-    assert np.allclose(contacts(BODY, start.with_arms(BODY, rotations)).depth_m, whole.depth_m)
+    again = ArmsOfBody.of(BODY, start).contacts(BODY.arms(rotations)[:, :, 1:4])
+    assert np.allclose(again.depth_m, whole.depth_m)
+    assert np.allclose(again.out, whole.out)
