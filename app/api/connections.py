@@ -41,6 +41,9 @@ READ_BYTES, READ_IN_PARTS_BYTES = 1 << 13, 1 << 11
 """So much of a connection is read in a turn of the event loop, and of a body or message that comes in parts: there may
 be hundreds of tiny ones in it, and all other connections wait until they are parsed."""
 
+UNWANTED_BYTES, UNWANTED_REST_S = 1 << 16, 0.004
+"""So much is read in a turn of a body that is answered already, and then nothing for so long: 16 MB a second. A client
+that sends everything before it reads gets its answer, and who sends much again and again takes nothing from others."""
 
 REQUESTS_A_SECOND, REQUESTS_AT_ONCE = 150.0, 1000
 """More requests than these from one address, a second for each worker, wait, whatever they ask for: answering them
@@ -67,7 +70,8 @@ class ReadInTurns(asyncio.BufferedProtocol, ABC):
     _unparsed: tuple[bytes, ...] = ()
 
     def get_buffer(self, sizehint: int) -> memoryview:  # noqa: ARG002 - asyncio's signature
-        self._buffer = self._buffer or memoryview(bytearray(READ_BYTES))
+        if self._buffer is None or len(self._buffer) < self.read_bytes:
+            self._buffer = memoryview(bytearray(max(READ_BYTES, self.read_bytes)))
         return self._buffer[: self.read_bytes]
 
     def buffer_updated(self, nbytes: int) -> None:
@@ -86,9 +90,12 @@ class ReadInTurns(asyncio.BufferedProtocol, ABC):
         is_over = self.transport.is_closing() or self.transport.get_protocol() is not self
         if took_s > LONG_PIECE_S and self.read_bytes == READ_IN_PARTS_BYTES and not is_over:
             others = sum(isinstance(each, ReadInTurns) and each.is_resting for each in self.connections)
-            self.is_resting = True
-            self.transport.pause_reading()
-            self.loop.call_later((1 + others) * RESTS * took_s, self._go_on)
+            self._rest((1 + others) * RESTS * took_s)
+
+    def _rest(self, rest_s: float) -> None:
+        self.is_resting = True
+        self.transport.pause_reading()
+        self.loop.call_later(rest_s, self._go_on)
 
     def _go_on(self) -> None:
         self.is_resting = False
@@ -198,6 +205,8 @@ class LimitedProtocol(H11Protocol, ReadInTurns):
         super()._parse(piece)
         if is_beginning:
             self.beginnings.took(time.thread_time() - began_s, self.loop)
+        if self._is_unwanted and not self.is_resting and not self.transport.is_closing():
+            self._rest(UNWANTED_REST_S * len(piece) / UNWANTED_BYTES)
 
     def data_received(self, data: bytes) -> None:
         if self.transport.is_closing():
@@ -209,7 +218,8 @@ class LimitedProtocol(H11Protocol, ReadInTurns):
             self._headers_due_s = self.loop.time() + HEADERS_IN * self.settings.idle_s
         super().data_received(data)
         is_in_parts = self._is_in_request and any(name == b"transfer-encoding" for name, _ in self.headers)
-        self.read_bytes = READ_IN_PARTS_BYTES if is_in_parts else READ_BYTES
+        whole_bytes = UNWANTED_BYTES if self._is_unwanted else READ_BYTES
+        self.read_bytes = READ_IN_PARTS_BYTES if is_in_parts else whole_bytes
 
     def handle_websocket_upgrade(self, event: h11.Request) -> None:
         """From here on the limits of WebSockets apply (`LimitedWebSocket`). A body is refused: it would be read as
@@ -249,6 +259,11 @@ class LimitedProtocol(H11Protocol, ReadInTurns):
     @property
     def _is_in_request(self) -> bool:
         return self.cycle is not None and not self.cycle.response_complete
+
+    @property
+    def _is_unwanted(self) -> bool:
+        """Whether what arrives is the rest of a body that is answered already."""
+        return self.conn.our_state is h11.DONE and self.conn.their_state is h11.SEND_BODY
 
     def _check(self) -> None:
         """Periodically: aborts a connection whose headers are late, or whose client reads nothing, or hardly."""

@@ -21,6 +21,8 @@ from understudy.api.connections import (
     READ_BYTES,
     READ_IN,
     READ_IN_PARTS_BYTES,
+    UNWANTED_BYTES,
+    UNWANTED_REST_S,
     limited_protocol,
 )
 from understudy.settings import Settings
@@ -28,6 +30,8 @@ from understudy.settings import Settings
 GET = b"GET / HTTP/1.1\r\nHost: x\r\n\r\n"
 LARGE = 64 << 20
 """Bytes: more than the buffers of two sockets hold."""
+BUFFERED = 16 << 20
+"""More than those buffers hold."""
 SMALL = 12 << 20
 KEPT = 3 << 20
 """What a kernel may take all of, so that the server is done with it."""
@@ -270,6 +274,26 @@ def test_a_body_in_tiny_chunks_leaves_the_event_loop_to_others() -> None:
         assert b"".join(received(client)).startswith(b"HTTP/1.1 200")
         passed_s = time.monotonic() - began_s
     assert passed_s > 2 * (time.process_time() - before_s)
+
+
+async def refuse(_scope: Scope, _receive: Receive, send: Send) -> None:
+    """Answers before the body is read."""
+    await send({"type": "http.response.start", "status": 413})
+    await send({"type": "http.response.body", "body": b"too large"})
+
+
+def test_the_rest_of_a_body_that_was_answered_is_read_slowly_and_then_the_answer() -> None:
+    """A client that sends all before it reads gets its answer. What buffers hold is sent at once, the rest as it is
+    read; no machine is faster than that."""
+    with served(refuse) as (_server, connect), closing(connect()) as client:
+        began_s = time.monotonic()
+        client.sendall(b"POST / HTTP/1.1\r\nHost: x\r\nContent-Length: %d\r\n\r\n" % LARGE)
+        client.sendall(bytes(LARGE))
+        took_s = time.monotonic() - began_s
+        assert client.recv(1000).startswith(b"HTTP/1.1 413")
+        client.sendall(GET)
+        assert b"413" in client.recv(1000)
+    assert took_s > UNWANTED_REST_S * (LARGE - BUFFERED) / UNWANTED_BYTES
 
 
 def test_who_asks_too_often_waits_and_is_answered(monkeypatch: pytest.MonkeyPatch) -> None:
