@@ -7,6 +7,7 @@ words. Shapes: W words, L gesture lexemes, F gesture families.
 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +15,9 @@ from numpy.typing import NDArray
 from ...model import Level, Moment, SingleArray, Utterance
 from .families import FamilyBehavior
 from .player import Player
-from .strokes import NEAR
+from .strokes import NEAR, Window
+
+NO_WINDOWS: Mapping[int, Window] = MappingProxyType({})
 
 
 def lemmas_about(utterance: Utterance, moment: Moment) -> frozenset[str]:
@@ -35,13 +38,16 @@ def possible_families(
     return possible
 
 
-def possible_lexemes(lexemes: Mapping[str, int], player: Player, utterance: Utterance) -> NDArray[np.bool_]:
-    """Which lexemes some behaviour of the player's families can show on each word (W, L)."""
+def possible_lexemes(
+    lexemes: Mapping[str, int], player: Player, utterance: Utterance, windows: Mapping[int, Window] = NO_WINDOWS
+) -> NDArray[np.bool_]:
+    """Which lexemes some behaviour of the player's families can show on each word (W, L). Strokes that are taken have
+    `windows`: of two next to a number, only one can count it."""
     possible = np.zeros((len(utterance.words), len(lexemes)), np.bool_)
     words = _words_of_lemmas(utterance)
     for lexeme, behavior in _listed(player, utterance.level):
         if lexeme in lexemes:
-            shown = _near_any(behavior.lemmas, words, len(possible)) if behavior.lemmas else True
+            shown = _near_any(behavior.lemmas, words, len(possible), windows) if behavior.lemmas else True
             possible[:, lexemes[lexeme]] |= shown
     return possible
 
@@ -62,10 +68,17 @@ def _listed(player: Player, level: Level) -> Iterable[tuple[str, FamilyBehavior]
     )
 
 
-def _near_any(lemmas: frozenset[str], words: Mapping[str, tuple[int, ...]], count: int) -> NDArray[np.bool_]:
-    """Which of `count` words are near one of the lemmas."""
+def _near_any(
+    lemmas: frozenset[str],
+    words: Mapping[str, tuple[int, ...]],
+    count: int,
+    windows: Mapping[int, Window] = NO_WINDOWS,
+) -> NDArray[np.bool_]:
+    """Which of `count` words are near one of the lemmas, or have one in their window."""
     near = np.zeros(count, np.bool_)
-    for lemma in lemmas & words.keys():
-        for word in words[lemma]:
-            near[max(0, word - NEAR) : word + NEAR + 1] = True
+    places = [word for lemma in lemmas & words.keys() for word in words[lemma]]
+    for word in places:
+        near[max(0, word - NEAR) : word + NEAR + 1] = True
+    for stroke, (left, right) in windows.items():
+        near[stroke] = any(stroke - left <= word <= stroke + right for word in places)
     return near

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ...model import BehaviorCandidates, Channel, Function, Moment, RejectedAlternative, SingleArray, Term, Utterance
 from .choice_model import log_odds_of, worth_of
-from .conditions import possible_families, possible_lexemes
+from .conditions import NO_WINDOWS, possible_families, possible_lexemes
 from .decoding import BOTH_AT_ONCE, USUAL_WORD_S, held, sentence_ends, spans_of, stretches_of, usual_times_s
 from .encoder import Delivery, Reading
 from .families import FamilyBehavior
@@ -26,7 +26,7 @@ from .parallels import CONTRAST, Ground, PlacedStroke, parallel_strokes, placed_
 from .planner import Planner
 from .player import Player
 from .resumptions import with_resumed
-from .strokes import NEAR, WHOLE, Worth, strokes, windowed
+from .strokes import NEAR, WHOLE, Window, Worth, strokes, windowed
 from .supports import Support, supports_of
 from .terms import Fact, terms_of
 from .worths import (
@@ -141,7 +141,9 @@ def _taken(
     parallel = parallel_strokes(utterance, ground, contrast) if quantity > SPARING else ()
     placed = {each.word: each for each in parallel} or _placed(contrast, line.functions, [*found], ground)
     words = with_placed(found, placed.values(), ground)
-    shares = {word: worth.share(found[word].window)[word] for word in words if word not in placed}
+    windows = {word: found[word].window for word in words if word not in placed}
+    worths = _in_windows(worths, windows, planner, player, utterance)
+    shares = {word: worth.share(window)[word] for word, window in windows.items()}
     worths = after_what_was_shown(worths, shares, ground.times_s)
     worth_it = replace(worth, whole=worth_of(worths.log_odds)).gains() >= price
     taken = [word for word in words if word in placed or worth_it[word]]
@@ -231,6 +233,16 @@ def _worths(planner: Planner, reading: Reading, line: Understood, player: Player
     )
 
 
+def _in_windows(
+    worths: LineWorths, windows: Mapping[int, Window], planner: Planner, player: Player, utterance: Utterance
+) -> LineWorths:
+    """The worths without what would show a word outside a stroke's window: one of two strokes about it shows it."""
+    asked = (*worths.supports, *worths.mimes)
+    total = worths.log_odds.copy()
+    total[~_playable(planner, player, utterance, asked, windows)] = FORBIDDEN
+    return replace(worths, log_odds=total)
+
+
 def _mimed_lexemes(mimes: Iterable[Mime], player: Player) -> Iterator[tuple[tuple[int, str], Mime]]:
     """The mimes with the words of their verbs and objects and the lexemes that show them."""
     for mime in mimes:
@@ -238,11 +250,15 @@ def _mimed_lexemes(mimes: Iterable[Mime], player: Player) -> Iterator[tuple[tupl
 
 
 def _playable(
-    planner: Planner, player: Player, utterance: Utterance, asked: Iterable[tuple[int, str]]
+    planner: Planner,
+    player: Player,
+    utterance: Utterance,
+    asked: Iterable[tuple[int, str]],
+    windows: Mapping[int, Window] = NO_WINDOWS,
 ) -> NDArray[np.bool_]:
     """The words and lexemes (W, L) for which the character has a behaviour that suits the words; those `asked` for by a
     rule or a verb suit them."""
-    playable = possible_lexemes(planner.lexemes, player, utterance)
+    playable = possible_lexemes(planner.lexemes, player, utterance, windows)
     for word, lexeme in asked:
         playable[word, planner.lexemes[lexeme]] = True
     return playable

@@ -9,9 +9,10 @@ remaining time. Gestures are still planned with the speed of the clip, so that m
 faster.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import pairwise
+from itertools import combinations, pairwise, starmap
 
 import numpy as np
 
@@ -35,6 +36,8 @@ _LEAST_SIZE = 0.5
 """Gestures with a smaller requested size are not wound up."""
 _SHORTEST_M = 0.05
 """Strokes of the wrist or the fingers alone are neither wound up nor quickened."""
+_COMES_BACK = 1.75
+"""How much longer than its widest distance the way of a hand is that comes back: twice, to and fro; thrice, round."""
 _NOT_NEARER_M: FloatArray = np.array([0.02, -0.02, 0.19])
 """The limits of drawing back one hand: it stays on its side, above the hips and in front of the body."""
 _NOT_NEARER_BOTH_M: FloatArray = np.array([0.11, -0.02, 0.19])
@@ -58,7 +61,7 @@ def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -
     most_m_s = min(quickness * strokes.fastest_m_s[level], max(strokes.fastest_m_s))
     wanted_m_s = min(most_m_s, pace * quickness * strokes.speed_m_s[level])
     way_m, fastest_m_s = _stroke_m(placed)
-    if not wanted_m_s or clip.category in strokes.unhurried or way_m < _SHORTEST_M or _to_and_fro(clip):
+    if not wanted_m_s or clip.category in strokes.unhurried or way_m < _SHORTEST_M or _to_and_fro(placed):
         return placed
     stroke_s = clip.markers.stroke_end - clip.markers.stroke_start
     shortest_s = _shortest_s(strokes, pace, placed.request.manner.speed)
@@ -74,9 +77,13 @@ def _lasting(placed: PlacedGesture, length_s: float, most_m_s: float) -> PlacedG
     return replace(placed, clip=quickened(placed.clip, min(max(length_s / stroke_s, fastest), _SLOWEST)))
 
 
-def _to_and_fro(clip: Clip) -> bool:
-    """Whether the arm circles or waves during the stroke."""
-    return clip.waves or any(track.form is TrackForm.CIRCLING for track in clip.tracks)
+def _to_and_fro(placed: PlacedGesture) -> bool:
+    """Whether an arm waves, circles or comes back during the stroke, which is lost in less time."""
+    clip = placed.clip
+    if clip.waves or any(track.form is TrackForm.CIRCLING for track in clip.tracks):
+        return True
+    ways = [_stroke_way(placed, side) for side in placed.arms]
+    return any(_length_m(way) > _COMES_BACK * max(starmap(distance_m, combinations(way, 2))) for way in ways)
 
 
 def _is_close(placed: PlacedGesture) -> bool:
@@ -101,16 +108,29 @@ def _shortest_s(strokes: Strokes, pace: float, speed: float) -> float:
 def _stroke_m(placed: PlacedGesture) -> tuple[float, float]:
     """The longest path of a hand in the stroke, along straight lines between its keys, and its highest speed between
     two keys."""
-    markers = placed.clip.markers
-    inner_s = {key.time_s for key in placed.clip.keys if markers.stroke_start < key.time_s < markers.stroke_end}
-    times_s = [markers.stroke_start, *sorted(inner_s), markers.stroke_end]
     longest_m = fastest_m_s = 0.0
     for side in placed.arms:
-        way = [wrist_m(placed, side, time_s) for time_s in times_s]
-        steps_m = [distance_m(one, other) for one, other in pairwise(way)]
-        speeds = (step_m / (to_s - from_s) for step_m, (from_s, to_s) in zip(steps_m, pairwise(times_s), strict=True))
+        steps_m = [distance_m(one, other) for one, other in pairwise(_stroke_way(placed, side))]
+        lengths_s = (to_s - from_s for from_s, to_s in pairwise(_stroke_times_s(placed.clip)))
+        speeds = (step_m / length_s for step_m, length_s in zip(steps_m, lengths_s, strict=True))
         longest_m, fastest_m_s = max(longest_m, sum(steps_m)), max(fastest_m_s, *speeds)
     return longest_m, fastest_m_s
+
+
+def _stroke_times_s(clip: Clip) -> list[float]:
+    """The times of a stroke's keys."""
+    markers = clip.markers
+    inner_s = {key.time_s for key in clip.keys if markers.stroke_start < key.time_s < markers.stroke_end}
+    return [markers.stroke_start, *sorted(inner_s), markers.stroke_end]
+
+
+def _stroke_way(placed: PlacedGesture, side: Hand) -> list[FloatArray]:
+    """Where a wrist is at each of them."""
+    return [wrist_m(placed, side, time_s) for time_s in _stroke_times_s(placed.clip)]
+
+
+def _length_m(way: Sequence[FloatArray]) -> float:
+    return sum(starmap(distance_m, pairwise(way)))
 
 
 def lifted(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
@@ -143,7 +163,7 @@ def wound_up(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
     longest_m = manner.amplitude * min(strokes.longest_m[level], _WOUND_UP_M_S * stroke_s * manner.speed)
     farther = 1 + _more(manner.amplitude) * (strokes.wind_up[level] - 1)
     factor = min(farther, longest_m / max(way_m, _SHORTEST_M))
-    if not free or _to_and_fro(clip) or factor <= 1 or way_m < _SHORTEST_M or amplitude(placed) < _LEAST_SIZE:
+    if not free or _to_and_fro(placed) or factor <= 1 or way_m < _SHORTEST_M or amplitude(placed) < _LEAST_SIZE:
         return placed
     begins = clip.markers.ready, clip.markers.stroke_start
     nearest_m = _NOT_NEARER_M if len(ends_m) == 1 else _NOT_NEARER_BOTH_M

@@ -133,13 +133,15 @@ def draw_silhouettes(skeleton: Skeleton, poses: Sequence[StrokePose], *, columns
     """The gestures in black at the ends of their strokes, from the front and three quarters, as PNG;
     their names below them if `named`. Needs matplotlib."""
     mannequin = Mannequin.around(skeleton)
-    cells = [_cell(mannequin, each.rotations) for each in poses]
+    standing = skeleton.offsets_m[0]
+    cells = [silhouette(mannequin, each.rotations, standing) for each in poses]
     stills = [Still(each.clip.name if named else "", each.rotations) for each in poses]
     return draw_cells(cells, stills, columns=columns)
 
 
-def _cell(mannequin: Mannequin, rotations: FloatArray) -> NDArray[np.uint8]:
-    surfaces = posed(mannequin, rotations, mannequin.skeleton.offsets_m[0], np.zeros(len(SHAPES)))
+def silhouette(mannequin: Mannequin, rotations: FloatArray, hips_m: FloatArray) -> NDArray[np.uint8]:
+    """A body in black from the front and three quarters above each other, and room for a caption, in display values."""
+    surfaces = posed(mannequin, rotations, hips_m, np.zeros(len(SHAPES)))
     meshes = (
         ColouredMesh(each.positions_m, each.normals, each.triangles, np.broadcast_to(_INK, each.normals.shape))
         for each in surfaces

@@ -38,6 +38,14 @@ def test_a_mime_is_possible_near_its_word_alone(player: Player, utterance: Utter
     assert words_of("MIME_SEW", player, utterance) == []
 
 
+def test_a_stroke_shows_the_words_of_its_window_alone(player: Player, utterance: Utterance) -> None:
+    """Of two strokes about a word, the one in whose window it lies can show it; words without strokes are as before."""
+    before, after, without = DRINK - 2, DRINK + 1, DRINK + 2
+    windows = {before: (NEAR, 0), after: (1, NEAR)}
+    possible = possible_lexemes({"MIME_DRINK": 0}, player, utterance, windows)[:, 0]
+    assert [bool(possible[word]) for word in (before, after, without)] == [False, True, True]
+
+
 def test_what_is_also_listed_for_any_words_is_possible_everywhere(player: Player, utterance: Utterance) -> None:
     """A finger ahead goes before an open hand where something is "straight ahead", and is right elsewhere too."""
     assert words_of("POINT_FRONT", player, utterance) == list(range(len(utterance.words)))

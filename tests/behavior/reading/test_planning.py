@@ -10,7 +10,7 @@ import pytest
 
 from understudy.behavior.reading import worths as weighing
 from understudy.behavior.reading.decoding import usual_times_s
-from understudy.behavior.reading.planning import Plan, Understood, plan
+from understudy.behavior.reading.planning import FORBIDDEN, Plan, Understood, plan
 from understudy.behavior.reading.player import Player
 from understudy.behavior.reading.strokes import STROKES_APART_S
 from understudy.behavior.reading.supports import GREAT_SCALE, GREAT_WEIGHT, WEIGHT_SCALE
@@ -239,6 +239,14 @@ def test_what_would_only_be_shown_again_is_left_out(understudy: Understudy, monk
 def test_a_number_is_counted_once_on_its_word(understudy: Understudy) -> None:
     moments = planned(understudy, "There were three of them.")
     assert [each.stroke for each in moments if each.families[0] == "count"] == [2]
+
+
+def test_two_numbers_near_each_other_are_each_counted_by_their_own_stroke(understudy: Understudy) -> None:
+    found = plan_of(understudy, "There are three doors, and only one of them is open.", player(understudy))
+    assert found.worths is not None
+    three, one = (each.stroke for each in found.moments if each.channel is Channel.GESTURE)
+    odds = [[found.worths.of(word, lexeme) or 0.0 for lexeme in ("COUNT_THREE", "COUNT_ONE")] for word in (three, one)]
+    assert [[each > FORBIDDEN for each in row] for row in odds] == [[True, False], [False, True]]
 
 
 def test_left_and_right_are_shown_each_on_its_word(understudy: Understudy) -> None:

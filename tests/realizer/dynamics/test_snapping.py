@@ -5,12 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.support.motion.gesture_clips import clip
+from tests.support.motion.gesture_clips import clip, place
 from understudy.model import Hand, Manner
 from understudy.realizer.arms.wrist_paths import distance_m, stroke_end_m, stroke_start_m
 from understudy.realizer.body.movement_style import Strokes
 from understudy.realizer.dynamics.snapping import lifted, quickened, snapped, wound_up
 from understudy.realizer.gestures.brief_strokes import mannered
+from understudy.realizer.gestures.gesture import ArmKey
 from understudy.realizer.gestures.gesture_plan import GestureRequest, PlacedGesture
 
 FAST = Strokes(speed_m_s=(0.6, 1.2, 1.2), fastest_m_s=(1.5, 1.5, 1.5), wind_up=(1.5,) * 3, longest_m=(0.4,) * 3)
@@ -52,6 +53,19 @@ def test_strokes_are_of_many_lengths_and_none_is_shorter_than_a_hand_can() -> No
 )
 def test_what_is_not_to_be_quickened_stays(gesture: PlacedGesture, style: Strokes) -> None:
     assert snapped(gesture, style, np.random.default_rng(0)) is gesture
+
+
+def test_a_hand_that_comes_back_in_its_stroke_takes_its_time() -> None:
+    """A circle or a stroke to and fro would be lost in less time; one that goes on, over a key on its way, is not."""
+    plain = placed()
+    before, after = plain.clip.keys[0], plain.clip.keys[-1]
+
+    def over(out_m: float) -> PlacedGesture:
+        between = replace(before, time_s=0.75, right=ArmKey(place(out_m)))
+        return replace(plain, clip=replace(plain.clip, keys=(before, between, after)))
+
+    assert stroke_s(snapped(over(0.2), FAST, np.random.default_rng(0))) < stroke_s(over(0.2))
+    assert snapped(over(1.0), FAST, np.random.default_rng(0)) == over(1.0)
 
 
 def test_a_short_stroke_begins_farther_from_where_it_ends() -> None:
