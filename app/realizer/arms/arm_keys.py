@@ -13,10 +13,10 @@ from functools import lru_cache, reduce
 
 import numpy as np
 
-from ...model import Hand
+from ...model import FloatArray, Hand
 from ...model.figure import GestureManner
 from ..body.skeleton import Skeleton
-from ..geometry.rotations import from_rotation_vector, multiply, slerp
+from ..geometry.rotations import from_axis_angle, multiply, slerp, turn_about_z
 from ..gestures.gesture import ArmKey, ClipKey, Expressivity, FrameType, KeyCurve
 from ..gestures.gesture_plan import ArmGesture, ArmRest, GesturePlan, Position, Repeat
 from .interpolation import ArmTrack, TimedPose
@@ -158,9 +158,15 @@ def _arced(gesture: ArmGesture, end: PartialPose, arc: Arc) -> Iterator[TimedPos
     if rest is not None:
         way_s = gesture.markers.end - gesture.markers.relax
         parts = slerp(end.parts, rest.parts, np.array(_DECAYED))
-        turn = np.radians(arc.degrees) * (1.0 if gesture.side is Hand.LEFT else -1.0)
-        parts[1] = multiply(from_rotation_vector(np.array([0.0, 0.0, turn])), parts[1])
+        parts[1] = multiply(_outwards(arc.degrees, gesture.side), parts[1])
         yield TimedPose(gesture.markers.relax + _HALF * way_s, PartialPose(parts), noise=STROKE_NOISE)
+
+
+@lru_cache(maxsize=64)
+def _outwards(degrees: float, side: Hand) -> FloatArray:
+    """The rotation (4,) of an arm outwards. Cached; never mutated."""
+    turn = np.radians(degrees) * (1.0 if side is Hand.LEFT else -1.0)
+    return from_axis_angle((0.0, 0.0, 1.0), np.array(turn))
 
 
 def _posed(skeleton: Skeleton, gesture: ArmGesture) -> Iterator[_PosedKey]:
@@ -189,10 +195,8 @@ def _part_of_the_way(skeleton: Skeleton, gesture: ArmGesture, pose: PartialPose)
 
 def _bent(pose: PartialPose, side: Hand, bends_deg: tuple[float, ...]) -> PartialPose:
     """The pose with its fingers bent further, all three joints of each alike."""
-    turns = np.zeros((FINGER_ROWS, 3))
-    turns[:, 2] = np.radians(np.repeat(bends_deg, 3)) * (-1.0 if side is Hand.LEFT else 1.0)
     parts = pose.parts.copy()
-    parts[-FINGER_ROWS:] = multiply(parts[-FINGER_ROWS:], from_rotation_vector(turns))
+    turn_about_z(parts[-FINGER_ROWS:], np.radians(np.repeat(bends_deg, 3)) * (-1.0 if side is Hand.LEFT else 1.0))
     return PartialPose(parts, pose.wrist_m)
 
 

@@ -140,7 +140,8 @@ def towards_elbow(upper_arm: FloatArray, elbow: FloatArray, bones: ArmBones) -> 
     """The direction (…, 3) of the elbow, perpendicular to the line from shoulder to wrist, of an upper arm with this
     orientation (…, 4) and hinge rotation (…, 4). It is defined for a straight arm too."""
     to_wrist = bones.upper_m * _ALONG + bones.lower_m * x_axis(elbow)
-    aside = np.stack((to_wrist[..., 2], np.zeros_like(to_wrist[..., 0]), -to_wrist[..., 0]), axis=-1)
+    aside = np.zeros_like(to_wrist)
+    aside[..., 0], aside[..., 2] = to_wrist[..., 2], -to_wrist[..., 0]
     return rotate(upper_arm, aside / length(aside))
 
 

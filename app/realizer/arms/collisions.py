@@ -185,11 +185,12 @@ def depths_where_near_m(skeleton: Skeleton, body: BodyMotion, posed: PosedBody |
     frames, stride = len(body.rotations), frames_in(body.times_s, _LOOK_S)
     looked_at = np.zeros(frames, dtype=bool)
     looked_at[::stride] = looked_at[-1] = True
-    found = np.full((frames, len(PAIRS)), -1.0)
+    found = np.full((len(PAIRS), frames), -1.0).T  # in memory pair by pair, over which a maximum is found much faster
     first = np.flatnonzero(looked_at)
-    found[first] = depths_m(skeleton, body.rotations, body.hips_m, first, posed)
-    found_near = found.max(axis=1) > -_NEAR_M
-    found_near[first[:-1][_deepest_between_m(found[first]) > -_NEAR_M]] = True
+    found[first] = depth_m = depths_m(skeleton, body.rotations, body.hips_m, first, posed)
+    found_near = np.zeros(frames, dtype=bool)
+    found_near[first] = depth_m.max(axis=1) > -_NEAR_M
+    found_near[first[:-1][_deepest_between_m(depth_m) > -_NEAR_M]] = True
     near = np.flatnonzero(around(found_near, stride) & ~looked_at)
     if len(near):
         found[near] = depths_m(skeleton, body.rotations, body.hips_m, near, posed)

@@ -153,7 +153,7 @@ def _joints(parts: FloatArray) -> FloatArray:
 
 def _curves(track: ArmTrack) -> Curves:
     """The curve of each of `PARTS`, through the keys that define it."""
-    keys = np.stack([key.pose.parts for key in track.keys], axis=1)
+    keys = np.array([key.pose.parts for key in track.keys]).swapaxes(0, 1)
     said = ~np.isnan(keys[:, :, 3])
     shapes = np.array([(key.tension, key.continuity, key.bias) for key in track.keys])
     counts = said.sum(axis=1, dtype=np.intp)

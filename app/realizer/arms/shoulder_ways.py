@@ -57,7 +57,7 @@ def _halfway_there(side: Hand, keys: Sequence[TimedPose]) -> Iterator[tuple[floa
 
 def _placed(keys: Sequence[TimedPose]) -> tuple[FloatArray, FloatArray]:
     """The keys that say where the upper arm is: their times (N,), collarbone and upper arm (N, 2, 4)."""
-    poses = np.stack([key.pose.parts[: _UPPER_ARM + 1] for key in keys])
+    poses = np.array([key.pose.parts[: _UPPER_ARM + 1] for key in keys])
     said = ~np.isnan(poses[..., 3])
     last_said = np.maximum.accumulate(np.where(said[:, _COLLARBONE], np.arange(len(keys)), 0))
     poses[:, _COLLARBONE] = poses[last_said, _COLLARBONE]

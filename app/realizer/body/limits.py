@@ -106,7 +106,7 @@ def clamp(skeleton: Skeleton, rotations: FloatArray) -> None:
         turned = _turned(skeleton, alike, rotations)
         if _turns_less(turned, alike.free_deg):
             continue
-        angles = alike.measured(np.moveaxis(turned, -2, 0))
+        angles = alike.measured(turned.transpose(-2, *range(turned.ndim - 2), -1))
         each = (-1, *(1,) * (angles.ndim - 2), 3)
         within = clipped(angles, alike.lowest_deg.reshape(each), alike.highest_deg.reshape(each))
         limit, *frame = there = np.nonzero((np.abs(angles - within) > _TOLERATED_DEG).any(axis=-1))
@@ -151,7 +151,9 @@ def swing_twist_deg(rotation: FloatArray, bone: int) -> FloatArray:
     """Swing-twist decomposition: rotations (…, 4) as three angles in degrees, the twist on the axis `bone`, the swing's
     rotation vector on the others."""
     one, other = (bone + 1) % 3, (bone + 2) % 3
-    parts = np.ascontiguousarray(np.moveaxis(rotation, -1, 0))  # NumPy is faster with each of them by itself
+    parts = np.array(
+        rotation.transpose(-1, *range(rotation.ndim - 1)), order="C"
+    )  # NumPy is faster with each by itself
     w, along, a, b = parts[3], parts[bone], parts[one], parts[other]
     size, bent = np.sqrt(w * w + along * along), np.sqrt(a * a + b * b)
     scale = np.where(bent > _NEAR_ZERO, 2 * np.arctan2(bent, size) / np.maximum(bent, _NEAR_ZERO), 2.0)
@@ -163,7 +165,7 @@ def swing_twist_deg(rotation: FloatArray, bone: int) -> FloatArray:
     if size.min(initial=1.0) <= _NEAR_ZERO:
         turned_over = size <= _NEAR_ZERO
         angles[one, turned_over], angles[other, turned_over] = np.pi * a[turned_over], np.pi * b[turned_over]
-    return np.moveaxis(np.degrees(angles, out=angles), 0, -1)
+    return np.degrees(angles, out=angles).transpose(*range(1, angles.ndim), 0)
 
 
 def shoulder_deg(orientation: FloatArray) -> FloatArray:
@@ -198,18 +200,14 @@ def within_neck_limits(turned: FloatArray) -> FloatArray:
 @dataclass(frozen=True, slots=True, eq=False)
 class _Alike:
     """Limits that are measured in the same way, at once for speed: their columns, what makes their chains the left
-    side's (n, 4), and their bounds (n, 3)."""
+    side's (n, 4), their bounds (n, 3), and the angle `free_deg` up to which any rotation is within all of them."""
 
     limits: tuple[JointLimit, ...]
     columns: list[int]
     mirrors: FloatArray
     lowest_deg: FloatArray
     highest_deg: FloatArray
-
-    @property
-    def free_deg(self) -> float:
-        """The angle up to which any rotation is within all of the limits."""
-        return min(limit.free_deg for limit in self.limits)
+    free_deg: float
 
     def measured(self, rotation: FloatArray) -> FloatArray:
         """The angles (…, n, 3) of rotations (…, n, 4) of these chains."""
@@ -228,7 +226,8 @@ def _alike(limits: tuple[JointLimit, ...]) -> tuple[_Alike, ...]:
 def _group(limits: tuple[JointLimit, ...], columns: list[int]) -> _Alike:
     mirrors = np.array([MIRROR if limit.joints[0].startswith("right") else np.ones(4) for limit in limits])
     lowest, highest = ([getattr(limit, end) for limit in limits] for end in ("lowest_deg", "highest_deg"))
-    return _Alike(limits, columns, mirrors, np.array(lowest), np.array(highest))
+    free_deg = min(limit.free_deg for limit in limits)
+    return _Alike(limits, columns, mirrors, np.array(lowest), np.array(highest), free_deg)
 
 
 def _turned(skeleton: Skeleton, alike: _Alike, rotations: FloatArray) -> FloatArray:

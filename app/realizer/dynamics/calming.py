@@ -161,8 +161,9 @@ def _fast(wrists_m: FloatArray, arms: FloatArray, step_s: float, fastest: Fastes
     rows = arms[:, :, fastest.rows]
     products = rows[1:] * rows[:-1]
     near = np.abs(products.reshape(-1, 4) @ _ONES) < least
-    for joint in np.moveaxis(near.reshape(products.shape[:-1]), 2, 0):
-        found[:, :-1] |= joint.T
+    if near.any():
+        for joint in near.reshape(products.shape[:-1]).transpose(2, 1, 0):
+            found[:, :-1] |= joint
     return found
 
 

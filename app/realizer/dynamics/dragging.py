@@ -62,7 +62,7 @@ def drag(
     turns[..., 2] = -np.radians(style.hand_deg) * late[..., 0]
     turned = from_rotation_vector(_at_most(turns)) * _MIRRORS
     lags = (style.hand_lag_s + (1 + finger) * style.finger_lag_s for finger in range(4))
-    behind = np.stack([_delayed(across[..., 0], lag_s / step_s) for lag_s in lags], axis=-1)
+    behind = np.array([_delayed(across[..., 0], lag_s / step_s) for lag_s in lags]).transpose(1, 2, 0)
     curled = np.radians(style.fingers_deg) * behind + curls
     arms[:, :, _HAND] = multiply(arms[:, :, _HAND], turned)
     for first in range(0, len(arms), _FRAMES_AT_ONCE):

@@ -75,7 +75,7 @@ def _moves_at_an_end(skeleton: Skeleton, body: BodyMotion, posed: PosedBody | No
     step_s = float(body.times_s[1] - body.times_s[0])
     steps = min(max(int(_BODY_STANDS_S / step_s), 1), len(body.times_s) - 1)
     inwards = np.arange(steps + 1)
-    frames = np.stack((inwards, len(body.times_s) - 1 - inwards))
+    frames = np.array((inwards, len(body.times_s) - 1 - inwards))
     posed = posed or PosedBody.carrying(skeleton, body.rotations, body.hips_m)
     wrists_m = posed.positions_m[frames[..., None], skeleton.chain(*HANDS)]
     way_m = length(wrists_m[:, 1:] - wrists_m[:, :1])[..., 0].max(axis=2)

@@ -33,7 +33,11 @@ def soft_maximum(one: FloatArray, other: FloatArray | float, softness: float) ->
 def minimum_jerk(share: FloatArray) -> FloatArray:
     """The share of the way covered after `share` of the time: 6t⁵ - 15t⁴ + 10t³, 0 before the start, 1 after the
     end."""
-    share = clipped(share, 0.0, 1.0)
+    return eased(clipped(share, 0.0, 1.0))
+
+
+def eased(share: FloatArray) -> FloatArray:
+    """`minimum_jerk` of shares that are in [0, 1]."""
     course = 6.0 * share
     course -= 15.0
     course *= share
@@ -100,8 +104,8 @@ def smoothed(values: FloatArray, width: float) -> FloatArray:
     around = np.concatenate([values[:1].repeat(reach, 0), values, values[-1:].repeat(reach, 0)])
     around = around.reshape(len(around), -1)
     if around.shape[1] <= _FEW_COLUMNS:
-        weights = _weights(width)
-        return np.stack([np.convolve(each, weights, "valid") for each in around.T], axis=-1).reshape(values.shape)
+        means = np.convolve(around.T.ravel(), _weights(width), "same").reshape(around.shape[::-1])
+        return means[:, reach : reach + len(values)].T.reshape(values.shape)
     return means_around(around.T, width).T.reshape(values.shape)
 
 

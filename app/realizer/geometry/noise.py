@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...model import FloatArray
-from .curves import minimum_jerk
+from .curves import eased
 
 _LARGEST = 2.0**64
 _GOLDEN = 0.618033988749895
@@ -63,7 +63,7 @@ def perlins(times_s: FloatArray, *kinds: Noise) -> FloatArray:
     left *= share
     right *= share - 1.0
     right -= left
-    right *= minimum_jerk(share)
+    right *= eased(share)
     left += right
     return left
 

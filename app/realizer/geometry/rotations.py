@@ -151,9 +151,10 @@ def to_rotation_vector(q: FloatArray) -> FloatArray:
 def from_axis_angle(axis: tuple[float, float, float], angle: FloatArray) -> FloatArray:
     """The rotations by the angles (…) about one unit axis."""
     sine, cosine = sine_and_cosine(np.asarray(angle) / 2)
-    turned = np.empty((*sine.shape, 4))
+    turned = np.zeros((*sine.shape, 4))
     for part, size in enumerate(axis):
-        np.multiply(sine, size, out=turned[..., part])
+        if size:
+            turned[..., part] = size * sine
     turned[..., 3] = cosine
     return turned
 
@@ -169,23 +170,24 @@ def shortest_rotation(a: FloatArray, b: FloatArray) -> FloatArray:
 
 def from_axes(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
     """The rotation that maps the base axes to `x`, `y` and `z` (…, 3), which are orthonormal and right-handed."""
-    w = 1 + x[..., 0] + y[..., 1] + z[..., 2]
-    yz, zx, xy = y[..., 2] - z[..., 1], z[..., 0] - x[..., 2], x[..., 1] - y[..., 0]
-    if w.min(initial=1.0) > 0.1:
-        return normalized(np.stack((yz, zx, xy, w), axis=-1))
-    return normalized(_largest_first(x, y, z, (yz, zx, xy, w)))
+    by_w = np.empty((*x.shape[:-1], 4))
+    by_w[..., 0], by_w[..., 1], by_w[..., 2] = y[..., 2] - z[..., 1], z[..., 0] - x[..., 2], x[..., 1] - y[..., 0]
+    by_w[..., 3] = 1 + x[..., 0] + y[..., 1] + z[..., 2]
+    if by_w[..., 3].min(initial=1.0) > 0.1:
+        return normalized(by_w)
+    return normalized(_largest_first(x, y, z, by_w))
 
 
-def _largest_first(x: FloatArray, y: FloatArray, z: FloatArray, by_w: tuple[FloatArray, ...]) -> FloatArray:
+def _largest_first(x: FloatArray, y: FloatArray, z: FloatArray, by_w: FloatArray) -> FloatArray:
     """The quaternion computed from its largest component, for numerical accuracy."""
-    yz, zx, xy, w = by_w
+    yz, zx, xy, w = (by_w[..., part] for part in range(4))
     weights = [
         1 + x[..., 0] - y[..., 1] - z[..., 2],
         1 - x[..., 0] + y[..., 1] - z[..., 2],
         1 - x[..., 0] - y[..., 1] + z[..., 2],
     ]
     sxy, sxz, syz = y[..., 0] + x[..., 1], z[..., 0] + x[..., 2], z[..., 1] + y[..., 2]
-    choices = (by_w, (weights[0], sxy, sxz, yz), (sxy, weights[1], syz, zx), (sxz, syz, weights[2], xy))
+    choices = ((yz, zx, xy, w), (weights[0], sxy, sxz, yz), (sxy, weights[1], syz, zx), (sxz, syz, weights[2], xy))
     candidates = np.stack([np.stack(choice, axis=-1) for choice in choices])
     best = np.argmax(np.stack([w, *weights]), axis=0)[None, ..., None]
     return np.asarray(np.take_along_axis(candidates, best, axis=0)[0])
@@ -241,7 +243,7 @@ def angle_between(a: FloatArray, b: FloatArray) -> FloatArray:
 
 def from_pitch_yaw_roll(pitch: FloatArray, yaw: FloatArray, roll: FloatArray) -> FloatArray:
     """The rotations (…, 4) by `roll`, then `pitch`, then `yaw`."""
-    (sx, sy, sz), (cx, cy, cz) = sine_and_cosine(0.5 * np.stack((pitch, yaw, roll)))
+    (sx, sy, sz), (cx, cy, cz) = sine_and_cosine(0.5 * np.array((pitch, yaw, roll)))
     both, pitched, rolled, neither = sx * sz, sx * cz, cx * sz, cx * cz
     turned = np.empty((*both.shape, 4))
     turned[..., 0] = cy * pitched + sy * rolled
@@ -277,7 +279,9 @@ def pitch_and_yaw(direction: FloatArray) -> tuple[FloatArray, FloatArray]:
 def unit_vector(pitch: FloatArray, yaw: FloatArray) -> FloatArray:
     """The unit vectors (…, 3) with this pitch and yaw."""
     (up, level), (aside, ahead) = sine_and_cosine(pitch), sine_and_cosine(yaw)
-    return np.stack([level * aside, -up, level * ahead], axis=-1)
+    vector = np.empty((*up.shape, 3))
+    vector[..., 0], vector[..., 1], vector[..., 2] = level * aside, -up, level * ahead
+    return vector
 
 
 def sine_and_cosine(angle: FloatArray) -> tuple[FloatArray, FloatArray]:

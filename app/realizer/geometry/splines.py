@@ -142,7 +142,7 @@ def _turns(
     leaving[:, lasts[:-1] + 1] = 0.0
     arriving[:, lasts[:-1] - 1] = 0.0
     first, third = leaving * (spans_s / 3), arriving * (spans_s / 3)
-    back, ahead = from_rotation_vector(np.stack((first.T, third.T)) * -1.0)
+    back, ahead = from_rotation_vector(np.array((first.T, third.T)) * -1.0)
     onwards = multiply(back, multiply(step, ahead))
     return first, np.ascontiguousarray(to_rotation_vector(onwards).T), third
 

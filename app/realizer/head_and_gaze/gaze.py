@@ -26,6 +26,7 @@ from ..geometry.rotations import (
     from_pitch_yaw,
     from_rotation_vector,
     inverse,
+    length,
     multiply,
     pitch_and_yaw,
     rotate,
@@ -73,7 +74,7 @@ def chest(skeleton: Skeleton, rotations: FloatArray, hips_m: FloatArray) -> Ches
     for joint in skeleton.chain(*TRUNK):
         turned.append(multiply(turned[-1], rotations[:, joint]))
     offsets_m = skeleton.offsets_m[skeleton.chain(*TRUNK, "neck")]
-    return Chest(turned[-1], hips_m + rotate(np.stack(turned), offsets_m[:, None]).sum(axis=0))
+    return Chest(turned[-1], hips_m + rotate(np.array(turned), offsets_m[:, None]).sum(axis=0))
 
 
 def face(skeleton: Skeleton, carried_by: Chest, neck: FloatArray, head: FloatArray) -> Face:
@@ -94,7 +95,7 @@ def eye_rotations(where: Face, at_m: FloatArray) -> FloatArray:
 def _asked_of_eyes(where: Face, at_m: FloatArray) -> FloatArray:
     """Pitch and yaw (2, T, 2) at which the left and right eye look at the points (T, 3)."""
     ways_m = at_m - where.eyes_m.swapaxes(0, 1)
-    return np.stack(pitch_and_yaw(rotate(inverse(where.orientation), ways_m))).swapaxes(1, 2)
+    return np.array(pitch_and_yaw(rotate(inverse(where.orientation), ways_m))).swapaxes(1, 2)
 
 
 def looking(where: Face, at_m: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -176,8 +177,8 @@ def apply_gaze(
 def _courses(times_s: FloatArray, aims: GazeTargets) -> tuple[FloatArray, FloatArray, FloatArray]:
     """The eyes' pitch, yaw and inverse distance (T, 3), the head's pitch and yaw (T, 2), and the trunk's yaw (T,)."""
     eyes_by, head_by, trunk_by = (np.diff(each, axis=0) for each in (aims.eyes, aims.head, aims.trunk))
-    eyes_s = saccade_s(np.linalg.norm(eyes_by[:, :2], axis=-1))
-    head_s = np.maximum(HEAD_S + HEAD_S_PER_RADIAN * np.linalg.norm(head_by, axis=-1), aims.within_s - HEAD_LAG_S)
+    eyes_s = saccade_s(length(eyes_by[:, :2])[:, 0])
+    head_s = np.maximum(HEAD_S + HEAD_S_PER_RADIAN * length(head_by)[:, 0], aims.within_s - HEAD_LAG_S)
     starts_s = [aims.starts_s + lag_s for lag_s in (0.0, HEAD_LAG_S, TRUNK_LAG_S)]
     by = np.zeros((3, len(eyes_s), 6))
     by[0, :, :3], by[1, :, 3:5], by[2, :, 5:] = eyes_by, head_by, trunk_by
@@ -238,7 +239,7 @@ def fixation_offsets(times_s: FloatArray, *, seed: int) -> FloatArray:
     starts_s, parts = times_s[0] + starts_s[:count], parts[: count + 1]
     by = parts[1:] - parts[:-1]
     drift = perlin(times_s, frequency_hz=DRIFT_HZ, seed=seed + 5, channels=2, in_step=False)
-    jumps = superposed_movements(times_s, starts_s, saccade_s(np.linalg.norm(by, axis=-1)), by)
+    jumps = superposed_movements(times_s, starts_s, saccade_s(length(by)[:, 0]), by)
     return np.asarray(parts[0] + jumps + np.radians(DRIFT_DEGREES) * drift)
 
 

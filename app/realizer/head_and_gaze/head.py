@@ -222,7 +222,7 @@ def apply_head_movements(
     trunk_s = times_s if trunk_s is None else trunk_s
     share = from_pitch_yaw_roll(*(np.interp(trunk_s, times_s, angle) / len(TRUNK) for angle in idle.trunk.T))
     rotations[:, trunk] = multiply(rotations[:, trunk], share[:, None])
-    turned = multiply(before, from_pitch_yaw_roll(*np.moveaxis(_turns(times_s, schedule, idle), -1, 0)))
+    turned = multiply(before, from_pitch_yaw_roll(*_turns(times_s, schedule, idle).transpose(2, 0, 1)))
     neck, skull = turned[:, 0], turned[:, 1]
     over_chest = within_speed(within_neck_limits(multiply(neck, skull)), frame_s, FASTEST_RAD_S)
     neck = multiply(neck, from_axis_angle(_PITCH, idle.forward))

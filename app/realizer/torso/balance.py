@@ -105,7 +105,8 @@ def legs(
     way_m = rotate(inverse(flat), ankles_m - hips_m - rotate(turned, _hip_joints_m(skeleton)))
     thigh, knee = _leg(skeleton, way_m)
     thigh = multiply(flat, thigh)
-    return np.stack((multiply(inverse(turned), thigh), knee, multiply(inverse(multiply(thigh, knee)), flat)), axis=1)
+    leg = np.array((multiply(inverse(turned), thigh), knee, multiply(inverse(multiply(thigh, knee)), flat)))
+    return leg.swapaxes(0, 1)
 
 
 def set_legs(
@@ -137,7 +138,9 @@ def _leg(skeleton: Skeleton, way_m: FloatArray) -> tuple[FloatArray, FloatArray]
 def _swung(swing: FloatArray, spread: FloatArray) -> FloatArray:
     """The rotations (…, 4) about x by `swing`, then about z by `spread`."""
     (sx, cx), (sz, cz) = sine_and_cosine(swing / 2), sine_and_cosine(spread / 2)
-    return np.stack([cz * sx, sz * sx, sz * cx, cz * cx], axis=-1)
+    turned = np.empty((*sx.shape, 4))
+    turned[..., 0], turned[..., 1], turned[..., 2], turned[..., 3] = cz * sx, sz * sx, sz * cx, cz * cx
+    return turned
 
 
 def _hip_joints_m(skeleton: Skeleton) -> FloatArray:
