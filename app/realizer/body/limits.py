@@ -151,9 +151,7 @@ def swing_twist_deg(rotation: FloatArray, bone: int) -> FloatArray:
     """Swing-twist decomposition: rotations (…, 4) as three angles in degrees, the twist on the axis `bone`, the swing's
     rotation vector on the others."""
     one, other = (bone + 1) % 3, (bone + 2) % 3
-    parts = np.array(
-        rotation.transpose(-1, *range(rotation.ndim - 1)), order="C"
-    )  # NumPy is faster with each by itself
+    parts = rotation.transpose(-1, *range(rotation.ndim - 1)).copy()  # NumPy is faster with each of them by itself
     w, along, a, b = parts[3], parts[bone], parts[one], parts[other]
     size, bent = np.sqrt(w * w + along * along), np.sqrt(a * a + b * b)
     scale = np.where(bent > _NEAR_ZERO, 2 * np.arctan2(bent, size) / np.maximum(bent, _NEAR_ZERO), 2.0)
