@@ -45,6 +45,9 @@ UNWANTED_BYTES, UNWANTED_REST_S = 1 << 16, 0.004
 """So much is read in a turn of a body that is answered already, and then nothing for so long: 16 MB a second. A client
 that sends everything before it reads gets its answer, and who sends much again and again takes nothing from others."""
 
+SLOWEST_UNWANTED_BYTES_PER_S = 1 << 20
+"""Each piece of it gives the connection so much more time, as long as a body may take in all."""
+
 REQUESTS_A_SECOND, REQUESTS_AT_ONCE = 150.0, 1000
 """More requests than these from one address, a second for each worker, wait, whatever they ask for: answering them
 would take the event loop from others. A page of the studio asks for some two hundred files."""
@@ -156,7 +159,7 @@ class LimitedProtocol(H11Protocol, ReadInTurns):
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
         super().connection_made(transport)
         self._checking: asyncio.TimerHandle | None = None
-        self._taken_bytes, self._read_until_s = 0, 0.0
+        self._taken_bytes, self._read_until_s, self._answered_s = 0, 0.0, 0.0
         self._headers_due_s = self.loop.time() + HEADERS_IN * self.settings.idle_s
         if not self._has_room():
             transport.write(connections_full())
@@ -206,6 +209,8 @@ class LimitedProtocol(H11Protocol, ReadInTurns):
         if is_beginning:
             self.beginnings.took(time.thread_time() - began_s, self.loop)
         if self._is_unwanted and not self.is_resting and not self.transport.is_closing():
+            due_s = self._headers_due_s + len(piece) / SLOWEST_UNWANTED_BYTES_PER_S
+            self._headers_due_s = min(due_s, self._answered_s + self.settings.upload_s)
             self._rest(UNWANTED_REST_S * len(piece) / UNWANTED_BYTES)
 
     def data_received(self, data: bytes) -> None:
@@ -234,6 +239,7 @@ class LimitedProtocol(H11Protocol, ReadInTurns):
 
     def on_response_complete(self) -> None:
         """The next request of an address that asks too often is read later."""
+        self._answered_s = self.loop.time()
         wait_s = self.frequency.wait_s(self._address)
         if wait_s:
             self._headers_due_s = self.loop.time() + wait_s + HEADERS_IN * self.settings.idle_s
