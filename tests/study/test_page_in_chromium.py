@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Page, ViewportSize
 
-from tests.studio.conftest import PATIENCE_MS, chromium
+from tests.studio.conftest import PATIENCE_MS, UNSEEN, chromium
 from tests.studio.support.waiting import wait_until
 from understudy.files import resource_folder
 from understudy.models import Understudy
@@ -21,7 +21,7 @@ from understudy.study.making.whole_study import make_study
 from understudy.study.scoring.reading import read_answers, read_key
 
 SMALL: ViewportSize = {"width": 480, "height": 360}
-"""Chromium draws without a graphics card here."""
+"""Chromium lays out and shows without a graphics card here."""
 
 FASTER = """
   const play = HTMLMediaElement.prototype.play;
@@ -61,6 +61,7 @@ def page(browser: Browser) -> Iterator[Page]:
     faults: list[str] = []
     context = browser.new_context(viewport=SMALL, accept_downloads=True)
     context.add_init_script(FASTER)
+    context.add_init_script(UNSEEN)
     made = context.new_page()
     made.set_default_timeout(PATIENCE_MS)
     made.on("pageerror", lambda error: faults.append(str(error)))

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from axe_playwright_python.sync_playwright import Axe
+from axe_playwright_python.base import AXE_SCRIPT
 from playwright.sync_api import Page
 
 GRAVE = frozenset({"serious", "critical"})
@@ -26,7 +26,9 @@ def findings_as_seen(page: Page) -> list[str]:
 
 def _findings(page: Page, theme: str, options: dict[str, Any]) -> list[str]:
     page.evaluate("(theme) => { document.documentElement.dataset.theme = theme; }", theme)
-    found = Axe().run(page, options=options | ALONE).response["violations"]
+    if not page.evaluate("'axe' in window"):
+        page.evaluate(AXE_SCRIPT)
+    found = page.evaluate("async (options) => (await axe.run(options)).violations", options | ALONE)
     return [
         f"{theme}: {violation['id']}: {', '.join(str(node['target']) for node in violation['nodes'])}"
         for violation in found

@@ -5,12 +5,14 @@ import time
 from playwright.sync_api import Page
 
 PATIENCE_S = 60.0
-POLLED_MS = 30
+FIRST_MS, LONGEST_MS = 20.0, 120.0
+"""How long is waited between two looks: ever longer, since each look takes some milliseconds of four processes."""
 
 
 def wait_until(page: Page, expression: str) -> None:
     """Returns when a JavaScript expression is true in the page."""
-    end_s = time.monotonic() + PATIENCE_S
+    end_s, pause_ms = time.monotonic() + PATIENCE_S, FIRST_MS
     while not page.evaluate(expression):
         assert time.monotonic() < end_s, f"never so: {expression}"
-        page.wait_for_timeout(POLLED_MS)
+        page.wait_for_timeout(pause_ms)
+        pause_ms = min(1.4 * pause_ms, LONGEST_MS)
