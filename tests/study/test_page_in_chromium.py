@@ -107,6 +107,7 @@ def test_versions_are_compared_with_the_face_hidden_and_what_was_answered_is_kep
     studies: dict[Comparison, Path], page: Page, tmp_path: Path
 ) -> None:
     page.goto(_address(studies[Comparison.UNITS], rater=2))
+    page.evaluate("window.isSeen = true")  # here bodies are drawn too
     page.get_by_role("button", name="Begin").click()
     for letter in "AB":
         page.get_by_role("button", name=f"Play {letter}").click()
