@@ -76,7 +76,7 @@ def _bones(skeleton: Skeleton) -> ArmBones:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Bend:
+class BentArm:
     """Local rotations of `upper_arm` and `elbow` (the hinge alone, without the forearm's twist), and the orientations
     of the upper arm and of the untwisted `forearm` in the hips' space."""
 
@@ -89,7 +89,7 @@ class Bend:
 @dataclass(frozen=True, slots=True, eq=False)
 class Reach:
     """A solution: local rotations of `collarbone`, `upper_arm` and `elbow`, the orientation of the `forearm` as of a
-    `Bend`, and the positions of elbow and wrist."""
+    `BentArm`, and the positions of elbow and wrist."""
 
     collarbone: FloatArray
     upper_arm: FloatArray
@@ -122,7 +122,7 @@ def reach(bones: ArmBones, wrist_m: FloatArray, *, swivel_rad: FloatArray, raise
     return Reach(collarbone, bend.upper_arm, bend.elbow, bend.forearm, elbow_m, reached_m)
 
 
-def reach_by_elbow(bones: ArmBones, collarbone: FloatArray, to_wrist_m: FloatArray, elbow: FloatArray) -> Bend:
+def reach_by_elbow(bones: ArmBones, collarbone: FloatArray, to_wrist_m: FloatArray, elbow: FloatArray) -> BentArm:
     """The arm on a given `collarbone` (…, 4) with its wrist `to_wrist_m` (…, 3) from the shoulder and its elbow in the
     direction `elbow` (…, 3)."""
     asked_m = np.maximum(length(to_wrist_m), 1e-6)
@@ -180,7 +180,7 @@ def _across(vector: FloatArray, direction: FloatArray) -> FloatArray:
 
 def _bent(
     bones: ArmBones, collarbone: FloatArray, direction: FloatArray, distance_m: FloatArray, pole: FloatArray
-) -> Bend:
+) -> BentArm:
     """Shoulder and elbow for a wrist at `distance_m` in a direction from the shoulder, the elbow towards `pole`."""
     squared_m = distance_m * distance_m
     along = (bones.upper_m**2 + squared_m - bones.lower_m**2) / (2 * bones.upper_m * distance_m)
@@ -190,7 +190,7 @@ def _bent(
     orientation = within_shoulder_limits(from_axes(upper, cross(towards, upper), towards))
     cosine = (squared_m - bones.upper_m**2 - bones.lower_m**2) / (2 * bones.upper_m * bones.lower_m)
     elbow = from_axis_angle((0.0, -1.0, 0.0), np.arccos(clipped(cosine, -1.0, 1.0))[..., 0])
-    return Bend(multiply(inverse(collarbone), orientation), elbow, orientation, multiply(orientation, elbow))
+    return BentArm(multiply(inverse(collarbone), orientation), elbow, orientation, multiply(orientation, elbow))
 
 
 def _within_reach(bones: ArmBones, distance_m: FloatArray) -> FloatArray:
