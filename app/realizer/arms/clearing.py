@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from math import acos
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...model import FloatArray
-from ..body.contacts import BUILD, LIMBS, PAIRS, ArmsOfBody, Contacts, Point, PosedBody, contacts, radii_m
+from ..body.contacts import BUILD, LIMBS, PAIRS, ArmsOfBody, Contacts, Point, PosedBody, radii_m
 from ..body.skeleton import SIDES, Skeleton
 from ..geometry.curves import clipped
 from ..geometry.rotations import dot
@@ -94,8 +95,8 @@ class ClearingMode:
 def cleared(skeleton: Skeleton, start: PosedBody, way: ClearingMode, weights: FloatArray) -> tuple[FloatArray, float]:
     """The local rotations of a stretch of frames after the round with the least penetration, and its depth in metres;
     displacements are times `weights` (F, 1)."""
-    found, arms, among = contacts(skeleton, start), PosedArms.of(skeleton, start), ArmsOfBody.of(skeleton, start)
-    push = _to_begin_with(way, len(start.rotations))
+    arms, among = PosedArms.of(skeleton, start), ArmsOfBody.of(skeleton, start)
+    found, push = among.as_it_is, _to_begin_with(way, len(start.rotations))
     way_out, best = np.zeros_like(found.out), arms.rotations
     first_m = reached_m = least_m = float(found.depth_m.max())
     most_rad = max(way.most_rad, _farthest_turn_rad(arms.rotations))
@@ -160,21 +161,27 @@ def _push(skeleton: Skeleton, found: Contacts, way_out: FloatArray) -> Displacem
     Where both arms are in a contact, each moves by half.
     """
     by_m = np.zeros((len(SIDES), 2, len(found.depth_m), 3))
-    for pair in np.flatnonzero((found.depth_m > 0).any(axis=0)).tolist():
-        depth_m, out = found.depth_m[:, pair, None], found.out[:, pair]
-        wrong = dot(out, way_out[:, pair]) < 0
-        asked_m = np.where(wrong, 2 * radii_m(skeleton)[pair] - depth_m, depth_m) + _CLEARANCE_M
-        way_m = out * np.where(depth_m > 0, np.where(wrong, -asked_m, asked_m), 0.0)
-        for end in _ENDS[pair]:
-            place = (found.on_other if end.of_other else found.on_limb)[:, pair, None]
-            share = np.maximum(place, end.least_share)
-            shares = np.concatenate((share[None], 1 - share[None]))
-            even = share * share + shares[1] * shares[1]
-            by_m[end.arm] += _beyond(way_m * (end.amount * shares / even), by_m[end.arm])
+    touching = np.flatnonzero((found.depth_m > 0).any(axis=0))
+    ends = [(row, end) for row, pair in enumerate(touching.tolist()) for end in _ENDS[pair]]
+    if not ends:
+        return Displacement(by_m)
+    rows = np.array([row for row, _end in ends])
+    of_limb, of_other = (each.T[touching][rows] for each in (found.on_limb, found.on_other))
+    whose, amounts, least = np.array([(end.of_other, end.amount, end.least_share) for _row, end in ends]).T[:, :, None]
+    share = np.maximum(np.where(whose, of_other, of_limb), least)
+    shares = np.stack((share, 1 - share), axis=1)
+    shares *= (amounts / (share * share + shares[:, 1] * shares[:, 1]))[:, None]
+    asked_m = _ways_m(skeleton, found, way_out, touching)[rows][:, None] * shares[..., None]
+    squared = np.maximum(dot(asked_m, asked_m), _LEAST_SQUARED)
+    for (_row, end), each_m, size in zip(ends, asked_m, squared, strict=True):
+        beyond = 1 - dot(each_m, by_m[end.arm]) / size
+        by_m[end.arm] += each_m * clipped(beyond, 0.0, 1.0)  # what is not covered already in that direction
     return Displacement(by_m)
 
 
-def _beyond(asked_m: FloatArray, given_m: FloatArray) -> FloatArray:
-    """The part of `asked_m` that `given_m` does not already cover in its direction."""
-    done = dot(asked_m, given_m) / np.maximum(dot(asked_m, asked_m), _LEAST_SQUARED)
-    return np.asarray(asked_m * clipped(1 - done, 0.0, 1.0))
+def _ways_m(skeleton: Skeleton, found: Contacts, way_out: FloatArray, pairs: NDArray[np.intp]) -> FloatArray:
+    """How far, and where, each of these pairs is to be moved apart (pairs, T, 3)."""
+    depth_m, out = found.depth_m.T[pairs, :, None], found.out.swapaxes(0, 1)[pairs]
+    wrong = dot(out, way_out.swapaxes(0, 1)[pairs]) < 0
+    asked_m = np.where(wrong, 2 * radii_m(skeleton)[pairs, None, None] - depth_m, depth_m) + _CLEARANCE_M
+    return np.asarray(out * np.where(depth_m > 0, np.where(wrong, -asked_m, asked_m), 0.0))

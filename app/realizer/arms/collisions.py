@@ -108,9 +108,7 @@ def kept_apart(skeleton: Skeleton, body: BodyMotion) -> tuple[Collisions, PosedB
         inside = depth_m.max(axis=1) > 0
         if not inside.any():
             break
-        moved_at = np.flatnonzero(around(inside, 2 * frames_in(body.times_s, _SWELLS_S[-1])))
-        unsolved = _left_inside(skeleton, body, inside)
-        posed.update(skeleton, body.hips_m, moved_at)
+        unsolved = _left_inside(skeleton, body, posed, inside)
         if not unsolved:
             break
         depth_m = depths_where_near_m(skeleton, body, posed)
@@ -126,16 +124,18 @@ class _Clearance:
     left_m: float
 
 
-def _left_inside(skeleton: Skeleton, body: BodyMotion, inside: NDArray[np.bool_]) -> tuple[_Clearance, ...]:
+def _left_inside(
+    skeleton: Skeleton, body: BodyMotion, posed: PosedBody, inside: NDArray[np.bool_]
+) -> tuple[_Clearance, ...]:
     """Clear the stretches around the frames that are `inside` something, in place, each in the first way that does; the
-    stretches for which none does, cleared in the one that does best."""
+    stretches for which none does, cleared in the one that does best. `posed` is where the joints are, then too."""
     left_m: dict[ClearingMode, float] = {}
     for way in _ways(body.times_s):
-        found = _cleared(skeleton, body, inside, way)
+        found = _cleared(skeleton, body, posed, inside, way=way)
         left_m[way] = max(each.left_m for each in found)
         if left_m[way] <= _TOLERATED_M:
             return ()
-    return _cleared(skeleton, body, inside, min(left_m, key=left_m.__getitem__), at_most_m=np.inf)
+    return _cleared(skeleton, body, posed, inside, way=min(left_m, key=left_m.__getitem__), at_most_m=np.inf)
 
 
 def _ways(times_s: FloatArray) -> Iterator[ClearingMode]:
@@ -151,27 +151,34 @@ def _ways(times_s: FloatArray) -> Iterator[ClearingMode]:
 
 
 def _cleared(
-    skeleton: Skeleton, body: BodyMotion, inside: NDArray[np.bool_], way: ClearingMode, at_most_m: float = _TOLERATED_M
+    skeleton: Skeleton,
+    body: BodyMotion,
+    posed: PosedBody,
+    inside: NDArray[np.bool_],
+    *,
+    way: ClearingMode,
+    at_most_m: float = _TOLERATED_M,
 ) -> tuple[_Clearance, ...]:
     """The stretches around the frames that are `inside` something; those of which no more than `at_most_m` is left are
     cleared, in place, and inside no more."""
-    found = tuple(_clearances(skeleton, body, inside, way))
+    found = tuple(_clearances(skeleton, posed, body.hips_m, inside, way))
+    moved = np.zeros(len(inside), dtype=bool)
     for each in found:
         if each.left_m <= at_most_m:
             body.rotations[each.there] = each.rotations  # a copy already, and stretches do not overlap
-            inside[each.there] = False
+            inside[each.there], moved[each.there] = False, True
+    posed.update(skeleton, body.hips_m, np.flatnonzero(moved))
     return found
 
 
 def _clearances(
-    skeleton: Skeleton, body: BodyMotion, inside: NDArray[np.bool_], way: ClearingMode
+    skeleton: Skeleton, posed: PosedBody, hips_m: FloatArray, inside: NDArray[np.bool_], way: ClearingMode
 ) -> Iterator[_Clearance]:
     """The stretches around the frames with a limb `inside` something."""
     for first, past in stretches(around(inside, 2 * way.swell)):
         there, ends = slice(first, past), (first > 0, past < len(inside))
-        posed = PosedBody.of(skeleton, body.rotations[there], body.hips_m[there])
         weights = taper(past - first, way.swell, ends)
-        yield _Clearance(there, *cleared(skeleton, posed, way, weights))
+        yield _Clearance(there, *cleared(skeleton, posed.part(skeleton, hips_m, there), way, weights))
 
 
 def depths_where_near_m(skeleton: Skeleton, body: BodyMotion, posed: PosedBody | None = None) -> FloatArray:

@@ -49,9 +49,10 @@ class Displacement:
         return Displacement(by_m * np.minimum(1.0, _FARTHEST_M / np.maximum(length(by_m), 1e-12)))
 
     def swelling(self, swell: int, weights: FloatArray) -> "Displacement":
-        return Displacement(
-            weights * _swelling(self.by_m.reshape(-1, *self.by_m.shape[2:]), swell).reshape(self.by_m.shape)
-        )
+        by_m, moved = np.zeros_like(self.by_m), self.by_m.any(axis=(2, 3))
+        if moved.any():
+            by_m[moved] = weights * _swelling(self.by_m[moved], swell)
+        return Displacement(by_m)
 
     @property
     def moved(self) -> NDArray[np.bool_]:

@@ -13,7 +13,7 @@ from ...model import FloatArray, Hand
 from ..body.skeleton import HIPS_HEIGHT_M
 from ..gestures.gesture import ArmKey, Clip, ClipKey, Depth, HeightSector, SectorPlace, Sideways
 from ..gestures.gesture_plan import PlacedGesture
-from ..gestures.gesture_space import SHOULDERS_ABOVE_HIPS_M, sector_m
+from ..gestures.gesture_space import SHOULDERS_ABOVE_HIPS_M, place_m, sector_m
 from .rest_poses import RESTS
 
 _UNPLACED = SectorPlace(Sideways.C, HeightSector.CC, Depth.MIDDLE)
@@ -36,15 +36,15 @@ def amplitude(placed: PlacedGesture) -> float:
 def wrist_m(placed: PlacedGesture, side: Hand, time_s: float) -> FloatArray:
     """The wrist's position (3,) at `time_s` of the clip; for an aimed gesture, on the line from the shoulder to its
     target; of a hand that follows, on the way there from hanging."""
-    place_m = _wrist_m(placed.clip, side, time_s, amplitude(placed))
+    at_m = _wrist_m(placed.clip, side, time_s, amplitude(placed))
     if placed.follows:
         basis_m = np.array(RESTS[placed.basis][side is Hand.RIGHT].wrist_m)
-        return np.asarray(basis_m + placed.share * (place_m - basis_m))
+        return np.asarray(basis_m + placed.share * (at_m - basis_m))
     if placed.aim_m is None or time_s < placed.aimed_from_s:
-        return place_m
+        return at_m
     out = 1.0 if side is Hand.LEFT else -1.0
     way_m = np.array(placed.aim_m) * [out, 1.0, 1.0] - [0.0, HIPS_HEIGHT_M, 0.0] - _SHOULDER_M
-    return np.asarray(_SHOULDER_M + distance_m(place_m, _SHOULDER_M) * way_m / np.linalg.norm(way_m))
+    return np.asarray(_SHOULDER_M + distance_m(at_m, _SHOULDER_M) * way_m / np.linalg.norm(way_m))
 
 
 def stroke_start_m(placed: PlacedGesture, side: Hand) -> FloatArray:
@@ -64,7 +64,7 @@ def relax_m(placed: PlacedGesture, side: Hand) -> FloatArray:
 
 def distance_m(one: FloatArray, other: FloatArray) -> float:
     """The Euclidean distance between two positions."""
-    return dist(one, other)
+    return dist(one.tolist(), other.tolist())
 
 
 def _wrist_m(clip: Clip, side: Hand, time_s: float, size: float) -> FloatArray:
@@ -78,7 +78,8 @@ def _wrist_m(clip: Clip, side: Hand, time_s: float, size: float) -> FloatArray:
         return sector_m(_UNPLACED, size)
     passed = bisect_right(said, time_s, key=lambda each: each[0])
     (from_s, place), (to_s, later) = said[max(passed - 1, 0)], said[min(passed, len(said) - 1)]
-    from_m = sector_m(place, size)
+    from_m = place_m(place, size)
     if not from_s < time_s < to_s:
-        return from_m
-    return np.asarray(from_m + (time_s - from_s) / (to_s - from_s) * (sector_m(later, size) - from_m))
+        return np.array(from_m)
+    share, to_m = (time_s - from_s) / (to_s - from_s), place_m(later, size)
+    return np.array([one + share * (other - one) for one, other in zip(from_m, to_m, strict=True)])

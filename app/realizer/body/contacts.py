@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ...model import FloatArray
 from ..geometry.curves import clipped
-from ..geometry.rotations import cross, dot, multiply, rotate
+from ..geometry.rotations import cross, dot, images, multiply
 from .proportions import Proportions
 from .skeleton import HANDS, SIDES, Skeleton, forward
 
@@ -166,6 +166,12 @@ class PosedBody:
                 places_m[joint, block], turned[joint, block] = posed.positions_m[:, joint], posed.orientations[:, joint]
         return cls(rotations, places_m.swapaxes(0, 1), turned.swapaxes(0, 1))
 
+    def part(self, skeleton: Skeleton, hips_m: FloatArray, there: slice) -> "PosedBody":
+        """These frames of it, in which all that is compared is placed."""
+        if len(self.rotations) > _BLOCK:
+            return PosedBody.of(skeleton, self.rotations[there], hips_m[there])
+        return PosedBody(self.rotations[there], self.positions_m[there], self.orientations[there])
+
     def update(self, skeleton: Skeleton, hips_m: FloatArray, frames: NDArray[np.intp]) -> None:
         """Place the joints again, in place, in those frames (F,) whose local rotations have changed meanwhile; of a
         long motion those that `carrying` places."""
@@ -184,15 +190,16 @@ def contacts(skeleton: Skeleton, body: PosedBody) -> Contacts:
 
 
 def _contacts(skeleton: Skeleton, near: "_Nearest") -> Contacts:
-    out, inside = np.zeros_like(near.apart_m), np.nonzero(near.depth_m > 0)
-    if len(inside[0]):
+    out, inside = np.zeros_like(near.apart_m), np.flatnonzero(near.depth_m > 0)
+    if len(inside):
         vectors = (near.apart_m, near.along_m, near.other_m, near.between_m)
-        apart_m, along, other, between_m = (each[:, inside[0], inside[1]].T for each in vectors)
-        aside = _aside(along, other, between_m - other / 2, _CROSSING[inside[0]])
-        distance_m = (radii_m(skeleton)[:, None] - near.depth_m)[inside][:, None]
-        ways = _of_length_1(apart_m + aside * _CENTRAL_M * np.exp(-distance_m / _CENTRAL_M))
-        for part in range(3):
-            out[part][inside] = ways[:, part]
+        apart_m, along, other, between_m = (each.reshape(3, -1).take(inside, axis=1).T for each in vectors)
+        pairs = inside // near.depth_m.shape[1]
+        aside = _aside(along, other, between_m - other / 2, _CROSSING.take(pairs))
+        distance_m = (radii_m(skeleton).take(pairs) - near.depth_m.take(inside))[:, None]
+        out.reshape(3, -1)[:, inside] = _of_length_1(
+            apart_m + aside * (_CENTRAL_M * np.exp(distance_m / -_CENTRAL_M))
+        ).T
     return Contacts(near.depth_m.T, out.T, near.on_limb.T, near.on_other.T)
 
 
@@ -217,6 +224,11 @@ class ArmsOfBody:
         turned, at_m = body.orientations.swapaxes(0, 1), body.positions_m.swapaxes(0, 1)
         return cls(skeleton, turned[collarbones], at_m[upper_arms], *_lines(skeleton, body, None))
 
+    @property
+    def as_it_is(self) -> Contacts:
+        """The contacts with the arms as they have been set last."""
+        return _contacts(self.skeleton, _nearest(self.skeleton, self.starts_m, self.lines_m))
+
     def contacts(self, arms: FloatArray) -> Contacts:
         """The contacts with these local rotations (F, 2, 3, 4) of upper arms, lower arms and hands."""
         upper, lower, hand = arms.transpose(2, 1, 0, 3)
@@ -224,14 +236,14 @@ class ArmsOfBody:
         turned[0] = multiply(self.collarbones, upper)
         turned[1] = multiply(turned[0], lower)
         turned[2] = multiply(turned[1], hand)
-        ways_m = rotate(turned.take(_CARRIED_BY, axis=0), _arm_ways_m(self.skeleton))
-        ways_m[0] += self.shoulders_m
+        ways_m = images(turned.take(_CARRIED_BY, axis=0), _arm_ways_m(self.skeleton))
+        ways_m[0] += self.shoulders_m.swapaxes(1, 2)
         ways_m[1] += ways_m[0]
         ways_m[2:4] += ways_m[:2]
-        starts_m, lines_m = ways_m[2:].reshape(2, 2, *ways_m.shape[1:]).transpose(0, 4, 2, 1, 3)
+        starts_m, lines_m = ways_m[2:].reshape(2, 2, *ways_m.shape[1:]).transpose(0, 3, 2, 1, 4)
         for all_m, limbs_m in ((self.starts_m, starts_m), (self.lines_m, lines_m)):
             all_m[:, _FIRST_LIMB:] = limbs_m.reshape(3, -1, len(arms))
-        return _contacts(self.skeleton, _nearest(self.skeleton, self.starts_m, self.lines_m))
+        return self.as_it_is
 
 
 _CARRIED_BY = np.array([0, 1, 1, 2, 1, 2])
@@ -280,7 +292,7 @@ def _lines(skeleton: Skeleton, body: PosedBody, frames: NDArray[np.intp] | None)
     joints, segments_m = _carried(skeleton)
     chosen = joints if frames is None else (joints[:, None], frames)
     at_m, turned = body.positions_m.swapaxes(0, 1)[chosen], body.orientations.swapaxes(0, 1)[chosen]
-    starts_m, lines_m = np.ascontiguousarray(rotate(turned, segments_m).transpose(0, 3, 1, 2))
+    starts_m, lines_m = np.ascontiguousarray(images(turned, segments_m).swapaxes(1, 2))
     starts_m += at_m.transpose(2, 0, 1)
     return starts_m, lines_m
 

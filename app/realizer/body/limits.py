@@ -23,7 +23,9 @@ from .skeleton import FINGERS, SIDES, Skeleton
 Degrees = tuple[float, float, float]
 
 _HANGING = from_axis_angle((0.0, 0.0, 1.0), np.array(-np.pi / 2))
-_FROM_HANGING = inverse(_HANGING)
+_AFTER_HANGING = multiply(np.eye(4), inverse(_HANGING))
+"""The rotation from hanging as a matrix, by which an orientation, a row of four, is multiplied: for a rotation that
+never changes, in a fraction of the time of `multiply`."""
 _AXES = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 _TOLERATED_DEG = 1e-3
 _NEAR_ZERO = 1e-12
@@ -168,7 +170,7 @@ def swing_twist_deg(rotation: FloatArray, bone: int) -> FloatArray:
 
 def shoulder_deg(orientation: FloatArray) -> FloatArray:
     """The angles of the left upper arm, given its orientation (…, 4) in the upper chest's space."""
-    return swing_twist_deg(multiply(orientation, _FROM_HANGING), 1)
+    return swing_twist_deg(orientation @ _AFTER_HANGING, 1)
 
 
 def shoulder_turned(angles_deg: FloatArray) -> FloatArray:

@@ -30,13 +30,13 @@ def varied(placed: PlacedGesture, variants: Mapping[str, LevelVariants]) -> Plac
 
 
 def _varied_key(key: ClipKey, variant: LevelVariant) -> ClipKey:
-    return replace(key, left=_varied_arm(key.left, variant), right=_varied_arm(key.right, variant))
+    return key.of(_varied_arm(key.left, variant), _varied_arm(key.right, variant))
 
 
 def _varied_arm(arm: ArmKey | None, variant: LevelVariant) -> ArmKey | None:
     if arm is not None and arm.place is not None:
         out, up, away = (own + more for own, more in zip(arm.place.offset_m, variant.offset_m, strict=True))
-        arm = replace(arm, place=replace(arm.place, offset_m=(out, up, away)))
+        arm = arm.at(arm.place.offset_by((out, up, away)))
     if arm is not None and arm.hand is not None and variant.hand and arm.hand.form in _OPEN and not arm.fingers:
         arm = replace(arm, hand=HandShape(HandForm(variant.hand)))
     return arm

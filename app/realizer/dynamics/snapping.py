@@ -139,7 +139,7 @@ def lifted(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
     ends_m = [stroke_end_m(placed, side) for side in placed.arms]
     if not up_m or placed.placed_by_words or max(float(end_m[1]) for end_m in ends_m) > _HIGHEST_M:
         return placed
-    keys = tuple(replace(key, left=_raised(key.left, up_m), right=_raised(key.right, up_m)) for key in clip.keys)
+    keys = tuple(key.of(_raised(key.left, up_m), _raised(key.right, up_m)) for key in clip.keys)
     return replace(placed, clip=replace(clip, keys=keys))
 
 
@@ -147,33 +147,29 @@ def _raised(arm: ArmKey | None, up_m: float) -> ArmKey | None:
     if arm is None or arm.place is None:
         return arm
     out, up, away = arm.place.offset_m
-    return replace(arm, place=replace(arm.place, offset_m=(out, up + up_m, away)))
+    return arm.at(arm.place.offset_by((out, up + up_m, away)))
 
 
 def wound_up(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
     """The gesture with short strokes begun farther from their ends, unless it shows a place or is at the head: a hand
     draws back before it strikes, the farther the bigger the voice makes the gesture."""
-    clip = placed.clip
-    ends_m = {side: stroke_end_m(placed, side) for side in placed.arms}
-    free = _is_free(placed) and max(end_m[1] for end_m in ends_m.values()) <= _HIGHEST_M
-    way_m = max(distance_m(stroke_start_m(placed, side), end_m) for side, end_m in ends_m.items())
-    level = _LEVELS.index(clip.level)
-    stroke_s = clip.markers.stroke_end - clip.markers.stroke_start
-    manner = placed.request.manner
-    longest_m = manner.amplitude * min(strokes.longest_m[level], _WOUND_UP_M_S * stroke_s * manner.speed)
+    clip, manner, level = placed.clip, placed.request.manner, _LEVELS.index(placed.clip.level)
     farther = 1 + _more(manner.amplitude) * (strokes.wind_up[level] - 1)
+    if farther <= 1 or not _is_free(placed) or amplitude(placed) < _LEAST_SIZE:
+        return placed
+    ends_m = {side: stroke_end_m(placed, side) for side in placed.arms}
+    way_m = max(distance_m(stroke_start_m(placed, side), end_m) for side, end_m in ends_m.items())
+    stroke_s = clip.markers.stroke_end - clip.markers.stroke_start
+    longest_m = manner.amplitude * min(strokes.longest_m[level], _WOUND_UP_M_S * stroke_s * manner.speed)
     factor = min(farther, longest_m / max(way_m, _SHORTEST_M))
-    if not free or _to_and_fro(placed) or factor <= 1 or way_m < _SHORTEST_M or amplitude(placed) < _LEAST_SIZE:
+    high = max(end_m[1] for end_m in ends_m.values()) > _HIGHEST_M
+    if high or factor <= 1 or way_m < _SHORTEST_M or _to_and_fro(placed):
         return placed
     begins = clip.markers.ready, clip.markers.stroke_start
     nearest_m = _NOT_NEARER_M if len(ends_m) == 1 else _NOT_NEARER_BOTH_M
     back = partial(_drawn_back, factor=factor, size=amplitude(placed), nearest_m=nearest_m)
     keys = tuple(
-        replace(
-            key,
-            left=back(key.left, ends_m.get(Hand.LEFT)),
-            right=back(key.right, ends_m.get(Hand.RIGHT)),
-        )
+        key.of(back(key.left, ends_m.get(Hand.LEFT)), back(key.right, ends_m.get(Hand.RIGHT)))
         if begins[0] <= key.time_s <= begins[1]
         else key
         for key in clip.keys
@@ -202,13 +198,13 @@ def _drawn_back(
     farther_m = np.maximum(farther_m, np.minimum(start_m, nearest_m))
     moved = (farther_m - start_m) / size
     out, up, away = (float(part + more) for part, more in zip(arm.place.offset_m, moved, strict=True))
-    return replace(arm, place=replace(arm.place, offset_m=(out, up, away)))
+    return arm.at(arm.place.offset_by((out, up, away)))
 
 
 def quickened(clip: Clip, share: float) -> Clip:
     """The clip with its stroke shortened to that share; the phases before and after keep their durations."""
     markers = clip.markers
     times_s = (in_less_time(markers, getattr(markers, name), share) for name in Markers.__slots__)
-    keys = tuple(replace(key, time_s=in_less_time(markers, key.time_s, share)) for key in clip.keys)
+    keys = tuple(key.at(in_less_time(markers, key.time_s, share)) for key in clip.keys)
     smooth = replace(clip.expressivity, power=min(clip.expressivity.power, _USUAL_POWER))
     return replace(clip, markers=Markers(*times_s), keys=keys, expressivity=smooth)

@@ -19,10 +19,26 @@ IDENTITY: FloatArray = np.array([0.0, 0.0, 0.0, 1.0])
 IDENTITY.setflags(write=False)
 
 _NEAR_ZERO = 1e-12
-_FEW = 4000
+_FEW = 1200
+_FIRST, _SECOND = np.triu_indices(4)
+"""The parts of a quaternion that are multiplied in a rotation: each with itself and with those after it."""
 _COMPLEX, _REAL = np.dtype(np.complex128), np.dtype(np.float64)
 _I, _MINUS_I = np.array(1j), np.array(-1j)
 """As arrays, since NumPy takes longer with Python's numbers."""
+
+
+def _weights() -> FloatArray:
+    """The weights (3, 30) of a vector's parts in those of its image: of x, y and z in turn, the ten of `_FIRST` and
+    `_SECOND`, x x, x y, x z, x w, y y, y z, y w, z z, z w, w w."""
+    matrix = (
+        ((1, 0, 0, 0, -1, 0, 0, -1, 0, 1), (0, 2, 0, 0, 0, 0, 0, 0, -2, 0), (0, 0, 2, 0, 0, 0, 2, 0, 0, 0)),
+        ((0, 2, 0, 0, 0, 0, 0, 0, 2, 0), (-1, 0, 0, 0, 1, 0, 0, -1, 0, 1), (0, 0, 0, -2, 0, 2, 0, 0, 0, 0)),
+        ((0, 0, 2, 0, 0, 0, -2, 0, 0, 0), (0, 0, 0, 2, 0, 2, 0, 0, 0, 0), (-1, 0, 0, 0, -1, 0, 0, 1, 0, 1)),
+    )
+    return np.array(matrix, dtype=np.float64).transpose(1, 0, 2).reshape(3, -1)
+
+
+_WEIGHTS = _weights()
 
 
 def multiply(a: FloatArray, b: FloatArray) -> FloatArray:
@@ -92,6 +108,15 @@ def rotate(q: FloatArray, vector: FloatArray) -> FloatArray:
     return rotated
 
 
+def images(q: FloatArray, vector: FloatArray) -> FloatArray:
+    """A vector (…, 1, 3) rotated by each of `q` (…, N, 4), one part after the other (…, 3, N): each is a sum of the
+    products of any two parts of the quaternion, with weights that are the same for all."""
+    parts, weights = np.ascontiguousarray(q.swapaxes(-1, -2)), vector @ _WEIGHTS
+    products = parts.take(_FIRST, axis=-2)
+    products *= parts.take(_SECOND, axis=-2)
+    return np.asarray(weights.reshape(*vector.shape[:-2], 3, len(_FIRST)) @ products)
+
+
 def x_axis(q: FloatArray) -> FloatArray:
     """Where `q` (…, 4) takes the x axis (…, 3)."""
     x, y, z, w = q[..., 0], q[..., 1], q[..., 2], q[..., 3]
@@ -115,14 +140,11 @@ def cross(a: FloatArray, b: FloatArray) -> FloatArray:
 
 
 def dot(a: FloatArray, b: FloatArray) -> FloatArray:
-    """The dot products over the last axis, which is kept with length 1: twice as fast as `np.einsum`. One call for few
-    vectors, one for each of their parts for many."""
+    """The dot products over the last axis, which is kept with length 1; for few vectors twice as fast as by
+    `np.einsum`, which is faster for many."""
     if max(a.size, b.size) < _FEW:
         return np.asarray(np.vecdot(a, b)[..., None])
-    product = a[..., 0] * b[..., 0]
-    for part in range(1, a.shape[-1]):
-        product = product + a[..., part] * b[..., part]
-    return np.asarray(product[..., None])
+    return np.asarray(np.einsum("...k,...k->...", a, b)[..., None])
 
 
 def length(vector: FloatArray) -> FloatArray:

@@ -24,11 +24,9 @@ def brief(clip: Clip) -> Clip:
     share = brief_share(markers.stroke_end - markers.stroke_start)
     ends = {side: _end(clip, side) for side in (Hand.LEFT, Hand.RIGHT)}
     keys = tuple(
-        replace(
-            key,
-            time_s=in_less_time(markers, key.time_s, share),
-            left=_nearer(key.left, ends[Hand.LEFT], share) if _is_before_the_end(markers, key) else key.left,
-            right=_nearer(key.right, ends[Hand.RIGHT], share) if _is_before_the_end(markers, key) else key.right,
+        key.at(in_less_time(markers, key.time_s, share)).of(
+            _nearer(key.left, ends[Hand.LEFT], share) if _is_before_the_end(markers, key) else key.left,
+            _nearer(key.right, ends[Hand.RIGHT], share) if _is_before_the_end(markers, key) else key.right,
         )
         for key in clip.keys
     )
@@ -59,7 +57,7 @@ def _nearer(arm: ArmKey | None, end: SectorPlace | None, share: float) -> ArmKey
     if arm is None or arm.place is None or end is None:
         return arm
     x_m, y_m, z_m = end.offset_m + share * (sector_m(arm.place) - sector_m(end))
-    return replace(arm, place=replace(end, offset_m=(float(x_m), float(y_m), float(z_m))))
+    return arm.at(end.offset_by((float(x_m), float(y_m), float(z_m))))
 
 
 def last_swing(clip: Clip) -> Clip:
@@ -71,7 +69,7 @@ def last_swing(clip: Clip) -> Clip:
     left, right = _shaped_as(first.left, turn.left), _shaped_as(first.right, turn.right)
     begins = ClipKey(marks.stroke_start, FrameType.STROKE_START, left, right, noise=turn.noise, curve=turn.curve)
     before = (key for key in clip.keys if key.time_s < marks.stroke_start)
-    after = (replace(key, time_s=key.time_s - since_s) for key in clip.keys if key.time_s > turn.time_s)
+    after = (key.at(key.time_s - since_s) for key in clip.keys if key.time_s > turn.time_s)
     ends = {name: getattr(marks, name) - since_s for name in ("stroke_end", "relax", "end")}
     markers = replace(marks, stroke=max(marks.stroke_start, marks.stroke - since_s), **ends)
     return replace(clip, keys=(*before, begins, *after), markers=markers)
@@ -92,7 +90,7 @@ def mannered(clip: Clip, manner: Manner) -> Clip:
     return replace(
         clip,
         markers=Markers(*(pace * getattr(clip.markers, name) for name in Markers.__slots__)),
-        keys=tuple(replace(key, time_s=pace * key.time_s) for key in clip.keys),
+        keys=tuple(key.at(pace * key.time_s) for key in clip.keys),
         expressivity=_tensed(clip.expressivity, manner.tension - 1),
         stroke_speed_m_s=clip.stroke_speed_m_s * manner.speed,
     )

@@ -58,22 +58,26 @@ NEAREST_M = 0.10
 """An amplitude brings no wrist nearer to the body than this, unless its gesture does so by itself."""
 
 _UP_M = {height: share * SHOULDERS_ABOVE_HIPS_M for height, share in HEIGHT.items()}
-_CENTRE_M = np.array([SIDEWAYS_M[Sideways.C], _UP_M[HeightSector.CC], DEPTH_M[Depth.MIDDLE]])
+_CENTRE_AS_NUMBERS_M = SIDEWAYS_M[Sideways.C], _UP_M[HeightSector.CC], DEPTH_M[Depth.MIDDLE]
+_CENTRE_M = np.array(_CENTRE_AS_NUMBERS_M)
 
 
 def sector_m(place: SectorPlace, amplitude: float = 1.0) -> FloatArray:
     """The wrist's position (3,) for a place: outwards, above the hips, away. `amplitude` scales its distance from the
     centre, but a larger movement is not one into the chest."""
+    return np.array(place_m(place, amplitude))
+
+
+def place_m(place: SectorPlace, amplitude: float = 1.0) -> tuple[float, float, float]:
+    """The same position as numbers, of which few are computed sooner without arrays."""
     x_m, y_m, z_m = place.offset_m
-    out_m, up_m, away_m = _CENTRE_M.tolist()
+    out_m, up_m, away_m = _CENTRE_AS_NUMBERS_M
     x_m, y_m, z_m = x_m + SIDEWAYS_M[place.sideways], y_m + _UP_M[place.height], z_m + DEPTH_M[place.depth]
     scaled_m = away_m + amplitude * (z_m - away_m)
-    return np.array(
-        (
-            out_m + amplitude * (x_m - out_m),
-            up_m + amplitude * (y_m - up_m),
-            max(scaled_m, min(z_m, NEAREST_M)),
-        )
+    return (
+        out_m + amplitude * (x_m - out_m),
+        up_m + amplitude * (y_m - up_m),
+        max(scaled_m, min(z_m, NEAREST_M)),
     )
 
 

@@ -199,14 +199,18 @@ class Draw:
     def _made(self, plain: Sequence[PlacedGesture], shown_m: Mapping[str, Position]) -> Iterator[PlacedGesture]:
         """The gestures as they are to be; then those that do not show what their words say, and those without the
         strength of the others."""
-        shown = [showing(each, shown_m) for each in plain]
-        others, strokes = [one for one, other in zip(plain, shown, strict=True) if one is not other], self._strokes
-        for each in shown:
-            strong = wound_up(lifted(each, strokes), strokes)
-            others += [each] if strong is not each else []
+        shown: list[PlacedGesture] = []
+        unsaid: list[PlacedGesture] = []
+        weaker: list[PlacedGesture] = []
+        for one in plain:
+            each = showing(one, shown_m)
+            if each is not one:
+                shown.append(each)
+                unsaid.append(one)
+            strong = wound_up(lifted(each, self._strokes), self._strokes)
+            weaker += [each] if strong is not each else []
             yield self._quick(strong)
-        yield from (self._quick(_later(one)) for one, other in zip(shown, plain, strict=True) if one is not other)
-        yield from map(self._quick, others)
+        yield from map(self._quick, (*map(_later, shown), *unsaid, *weaker))
 
     def _quick(self, placed: PlacedGesture) -> PlacedGesture:
         quick = snapped(placed, self._strokes, drawn(self.setting.seed, placed, _PACE))

@@ -211,7 +211,7 @@ def begun_in_time(
 
     begins = clip.markers.ready, clip.markers.stroke_end
     keys = tuple(
-        replace(key, left=nearer(key.left, Hand.LEFT), right=nearer(key.right, Hand.RIGHT))
+        key.of(nearer(key.left, Hand.LEFT), nearer(key.right, Hand.RIGHT))
         if begins[0] <= key.time_s < begins[1]
         else key
         for key in clip.keys
@@ -233,8 +233,7 @@ def _at_the_end(clip: Clip, made: Callable[[ArmKey | None], ArmKey | None]) -> t
     """The keys of a clip, those from the end of its stroke until it relaxes as `made`."""
     ends = clip.markers.stroke_end, clip.markers.end
     return tuple(
-        replace(key, left=made(key.left), right=made(key.right)) if ends[0] <= key.time_s < ends[1] else key
-        for key in clip.keys
+        key.of(made(key.left), made(key.right)) if ends[0] <= key.time_s < ends[1] else key for key in clip.keys
     )
 
 
@@ -243,7 +242,7 @@ def _moved(arm: ArmKey | None, moved: Callable[[FloatArray], FloatArray], amplit
     if arm is None or arm.place is None:
         return arm
     offset_m = offset_from_centre_m(moved(sector_m(arm.place, amplitude)), amplitude)
-    return replace(arm, place=replace(_CENTRE, offset_m=offset_m))
+    return arm.at(_CENTRE.offset_by(offset_m))
 
 
 def _at_most(way_m: FloatArray, longest_m: float) -> FloatArray:

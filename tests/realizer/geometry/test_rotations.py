@@ -34,6 +34,11 @@ def test_product_inverse_and_image_are_scipys() -> None:
     assert same(rotations.multiply_parts(A.as_quat().T, B.as_quat().T).T, A * B)
 
 
+def test_many_rotations_of_one_vector_are_those_of_as_many() -> None:
+    both = np.stack((A.as_quat(), -A.as_quat()))
+    assert np.allclose(rotations.images(both, VECTORS[:1]), A.apply(VECTORS[0]).T)
+
+
 def test_rotation_vectors_go_there_and_back() -> None:
     assert np.allclose(rotations.to_rotation_vector(A.as_quat()), A.as_rotvec())
     assert same(rotations.from_rotation_vector(A.as_rotvec()), A)
