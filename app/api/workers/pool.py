@@ -306,14 +306,17 @@ class Pool:
             elif seen.trouble and seen.worker in self._busy:
                 seen.worker.kill()
         if not self._missing and (self._relieving is None or self._relieving.done()):
-            self._relieving = asyncio.create_task(self._relieve_cold())
+            self._replace_cold()
 
-    async def _relieve_cold(self) -> None:
+    def _replace_cold(self) -> None:
         """Replaces one worker that would load for its next job what others have inherited."""
         late_s = time.monotonic() - _COLD_FOR_S
         cold = next((each for each in self._idle if not each.is_warm and each.began_s < late_s), None)
-        if cold is None:
-            return
+        if cold is not None:
+            self._relieving = asyncio.create_task(self._relieve(cold))
+
+    async def _relieve(self, cold: Worker) -> None:
+        """Ends a worker once another is there for it, unless it has found work meanwhile."""
         warm = await self.forked()
         if cold in self._idle and not self._is_closed:
             self._idle.remove(cold)

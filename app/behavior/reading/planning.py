@@ -237,9 +237,12 @@ def _in_windows(
     worths: LineWorths, windows: Mapping[int, Window], planner: Planner, player: Player, utterance: Utterance
 ) -> LineWorths:
     """The worths without what would show a word outside a stroke's window: one of two strokes about it shows it."""
+    narrow = {word: window for word, window in windows.items() if window != WHOLE}
+    if not narrow:
+        return worths
     asked = (*worths.supports, *worths.mimes)
     total = worths.log_odds.copy()
-    total[~_playable(planner, player, utterance, asked, windows)] = FORBIDDEN
+    total[~_playable(planner, player, utterance, asked, narrow)] = FORBIDDEN
     return replace(worths, log_odds=total)
 
 

@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import combinations, pairwise, starmap
+from typing import TypeAlias
 
 import numpy as np
 
@@ -49,6 +50,9 @@ _HIGHEST_M = 0.36
 
 _LEVELS = (Level.LOW, Level.MEDIUM, Level.HIGH)
 
+_Way: TypeAlias = Sequence[FloatArray]
+"""The positions of a wrist at the keys of a stroke."""
+
 
 def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -> PlacedGesture:
     """The gesture with its stroke at a random speed, or of the requested duration; unchanged if it is already as
@@ -60,8 +64,9 @@ def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -
     pace, quickness = float(rng.uniform(*strokes.variety)), _quickness(placed)
     most_m_s = min(quickness * strokes.fastest_m_s[level], max(strokes.fastest_m_s))
     wanted_m_s = min(most_m_s, pace * quickness * strokes.speed_m_s[level])
-    way_m, fastest_m_s = _stroke_m(placed)
-    if not wanted_m_s or clip.category in strokes.unhurried or way_m < _SHORTEST_M or _to_and_fro(placed):
+    ways = _stroke_ways(placed)
+    way_m, fastest_m_s = _stroke_m(clip, ways)
+    if not wanted_m_s or clip.category in strokes.unhurried or way_m < _SHORTEST_M or _to_and_fro(clip, ways):
         return placed
     stroke_s = clip.markers.stroke_end - clip.markers.stroke_start
     shortest_s = _shortest_s(strokes, pace, placed.request.manner.speed)
@@ -73,16 +78,14 @@ def snapped(placed: PlacedGesture, strokes: Strokes, rng: np.random.Generator) -
 def _lasting(placed: PlacedGesture, length_s: float, most_m_s: float) -> PlacedGesture:
     """The gesture with a stroke of this duration, within the range of plausible speeds of a stroke."""
     stroke_s = placed.clip.markers.stroke_end - placed.clip.markers.stroke_start
-    fastest = max(_stroke_m(placed)[1] / most_m_s, min(1.0, _LEAST_S / stroke_s))
+    fastest = max(_stroke_m(placed.clip, _stroke_ways(placed))[1] / most_m_s, min(1.0, _LEAST_S / stroke_s))
     return replace(placed, clip=quickened(placed.clip, min(max(length_s / stroke_s, fastest), _SLOWEST)))
 
 
-def _to_and_fro(placed: PlacedGesture) -> bool:
+def _to_and_fro(clip: Clip, ways: Sequence[_Way]) -> bool:
     """Whether an arm waves, circles or comes back during the stroke, which is lost in less time."""
-    clip = placed.clip
     if clip.waves or any(track.form is TrackForm.CIRCLING for track in clip.tracks):
         return True
-    ways = [_stroke_way(placed, side) for side in placed.arms]
     return any(_length_m(way) > _COMES_BACK * max(starmap(distance_m, combinations(way, 2))) for way in ways)
 
 
@@ -105,13 +108,13 @@ def _shortest_s(strokes: Strokes, pace: float, speed: float) -> float:
     return max(_LEAST_S / min(speed, 1.0), strokes.shortest_s / (pace * speed))
 
 
-def _stroke_m(placed: PlacedGesture) -> tuple[float, float]:
+def _stroke_m(clip: Clip, ways: Sequence[_Way]) -> tuple[float, float]:
     """The longest path of a hand in the stroke, along straight lines between its keys, and its highest speed between
     two keys."""
+    lengths_s = [to_s - from_s for from_s, to_s in pairwise(_stroke_times_s(clip))]
     longest_m = fastest_m_s = 0.0
-    for side in placed.arms:
-        steps_m = [distance_m(one, other) for one, other in pairwise(_stroke_way(placed, side))]
-        lengths_s = (to_s - from_s for from_s, to_s in pairwise(_stroke_times_s(placed.clip)))
+    for way in ways:
+        steps_m = list(starmap(distance_m, pairwise(way)))
         speeds = (step_m / length_s for step_m, length_s in zip(steps_m, lengths_s, strict=True))
         longest_m, fastest_m_s = max(longest_m, sum(steps_m)), max(fastest_m_s, *speeds)
     return longest_m, fastest_m_s
@@ -124,12 +127,13 @@ def _stroke_times_s(clip: Clip) -> list[float]:
     return [markers.stroke_start, *sorted(inner_s), markers.stroke_end]
 
 
-def _stroke_way(placed: PlacedGesture, side: Hand) -> list[FloatArray]:
-    """Where a wrist is at each of them."""
-    return [wrist_m(placed, side, time_s) for time_s in _stroke_times_s(placed.clip)]
+def _stroke_ways(placed: PlacedGesture) -> list[_Way]:
+    """Where the wrist of each arm is at these times."""
+    times_s = _stroke_times_s(placed.clip)
+    return [[wrist_m(placed, side, time_s) for time_s in times_s] for side in placed.arms]
 
 
-def _length_m(way: Sequence[FloatArray]) -> float:
+def _length_m(way: _Way) -> float:
     return sum(starmap(distance_m, pairwise(way)))
 
 
@@ -163,7 +167,7 @@ def wound_up(placed: PlacedGesture, strokes: Strokes) -> PlacedGesture:
     longest_m = manner.amplitude * min(strokes.longest_m[level], _WOUND_UP_M_S * stroke_s * manner.speed)
     factor = min(farther, longest_m / max(way_m, _SHORTEST_M))
     high = max(end_m[1] for end_m in ends_m.values()) > _HIGHEST_M
-    if high or factor <= 1 or way_m < _SHORTEST_M or _to_and_fro(placed):
+    if high or factor <= 1 or way_m < _SHORTEST_M or _to_and_fro(clip, _stroke_ways(placed)):
         return placed
     begins = clip.markers.ready, clip.markers.stroke_start
     nearest_m = _NOT_NEARER_M if len(ends_m) == 1 else _NOT_NEARER_BOTH_M
