@@ -142,7 +142,7 @@ def _ways(times_s: FloatArray) -> Iterator[ClearingMode]:
     """How limbs may leave what they are in, what changes least first: led aside, little before far, only where nothing
     else does, as where one arm passes through the other too quickly for either to give way."""
     step_s = _SWELLS_S[0] / frames_in(times_s, _SWELLS_S[0])
-    for fastest_rad_s, as_it_ends, swell_s in product(_FASTEST_RAD_S, (False, True), _SWELLS_S):
+    for fastest_rad_s, swell_s, as_it_ends in product(_FASTEST_RAD_S, _SWELLS_S, (False, True)):
         yield ClearingMode(frames_in(times_s, swell_s), fastest_rad_s * step_s, as_it_ends)
     swell = frames_in(times_s, _SWELLS_S[1])
     for fastest_rad_s, far_m, side, (outward, up, ahead) in product(_FASTEST_RAD_S, _ASIDE_M, SIDES, _ASIDE):
