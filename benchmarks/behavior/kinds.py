@@ -1,7 +1,7 @@
 """Agreement with directors on held-out lines of each kind, by the words alone.
 
     python -m benchmarks.behavior.kinds [--directing FOLDER] [--written 3] [--reader MODEL.onnx --of KIND …]
-        [--twice] [--record]
+        [--twice | --with-care] [--record]
 
 Performs the carefully directed lines that no reader was trained on (`training.acting.directed.is_held_out`; their kinds
 were), each word with a usual duration, and scores them with score.py of the folder against the one reading that each
@@ -9,7 +9,8 @@ has. With `--written` they are all lines of that series of our own (`training/ac
 not: those that were written after a `--reader` was trained are as new to it. With `--of` they are every sixth line of
 these kinds, or with both all lines of these kinds in that series; `--reader` is a reader that was trained without them.
 With `--twice` only lines with a second reading count, and both readings do: what both name is asked for, what either
-names is right.
+names is right. With `--with-care` the lines that three directors read with care (`training/acting/lines/careful`) are
+scored against these alone, as the 78 lines are.
 """
 
 import argparse
@@ -29,7 +30,7 @@ from benchmarks.behavior.directing import gestures_of, load_score, others_of
 from benchmarks.figures import add_record_option
 from training.acting.directed import DirectedLine, is_held_out, read_lines
 from training.acting.held_out import timed
-from training.acting.second_readings import second_readings
+from training.acting.second_readings import careful_readings, second_readings
 from understudy.behavior.reading.encoder import Encoder
 from understudy.library.language import find_functions
 from understudy.models import Understudy
@@ -62,6 +63,16 @@ def with_second(readings: Readings) -> Readings:
         line: [*firsts, *(replace(each, reading=second[each.name]) for each in firsts if each.name in second)]
         for line, firsts in readings.items()
         if any(each.name in second for each in firsts)
+    }
+
+
+def read_with_care(readings: Readings, directors: int = 3) -> Readings:
+    """The lines that as many directors read with care, with these readings."""
+    careful = careful_readings()
+    return {
+        line: [replace(first, reading=each) for each in careful[first.name]]
+        for line, (first, *_others) in readings.items()
+        if len(careful.get(first.name, ())) >= directors
     }
 
 
@@ -118,7 +129,9 @@ def main() -> None:
     parser.add_argument("--written", default="", help="the number of a series of our own lines")
     parser.add_argument("--of", nargs="+", default=[], help="kinds of lines")
     parser.add_argument("--reader", type=Path, help="a reader in place of the shipped one")
-    parser.add_argument("--twice", action="store_true", help="score against two readings")
+    against = parser.add_mutually_exclusive_group()
+    against.add_argument("--twice", action="store_true", help="score against two readings")
+    against.add_argument("--with-care", action="store_true", help="score against three careful readings")
     add_record_option(parser)
     options = parser.parse_args()
     among: Callable[[DirectedLine], bool] = is_held_out
@@ -127,11 +140,14 @@ def main() -> None:
     elif options.of:
         among = partial(_is_drawn, kinds=options.of)
     readings = readings_once(options.directing, among)
-    figures = measure(options.directing, with_second(readings) if options.twice else readings, options.reader)
+    read = "one reading"
+    if options.twice:
+        readings, read = with_second(readings), "two readings"
+    elif options.with_care:
+        readings, read = read_with_care(readings), "three careful readings"
+    figures = measure(options.directing, readings, options.reader)
     if options.record and among is is_held_out:
-        record_all(
-            f"held-out lines of known kinds, {'two readings' if options.twice else 'one reading'}", figures, BARS
-        )
+        record_all(f"held-out lines of known kinds, {read}", figures, BARS)
 
 
 if __name__ == "__main__":

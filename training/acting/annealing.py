@@ -1,13 +1,15 @@
 """Anneals the reader on careful lines, with second readings and with what it read before.
 
     python -m training.acting.annealing OUT.npz [--minutes 50] [--seed N] [--measured FILE.json]
-    python -m training.acting.annealing OUT.npz --quick-share 0.3
+    python -m training.acting.annealing OUT.npz --quick-share 0.3 [--other-share 0.25] [--careful-worth 0.8]
     python -m training.acting.annealing OUT.npz --from MODEL.onnx --without npc previs [--pace 2]
 
 It begins with the shipped weights. Where a line was read twice (`lines/second/`), it is trained towards the mean of
 both readings, and every target is drawn for `TAUGHT` of its way to what the shipped reader makes of the same line:
-one reading is one opinion of many, and what was learnt from thousands of other lines is not to be lost. Some lines are
-cut at the end of a sentence, some are joined, and some pieces are hidden, so that the reader depends on none. The rate
+one reading is one opinion of many, and what was learnt from thousands of other lines is not to be lost. Where a line
+was read with care (`lines/careful/`), these readings count `--careful-worth` of the whole, the others the rest, and
+they are drawn half as far; with `--other-share` each epoch has only that share of all other lines. Some lines are cut
+at the end of a sentence, some are joined, and some pieces are hidden, so that the reader depends on none. The rate
 falls to nearly 0 within the given time; OUT gets the running mean of the weights. With `--from` it begins with a model
 of before (the last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody
 teaches it: what it has never been shown of the kinds `--without` can then be measured. What is heard of a delivery is
@@ -38,7 +40,7 @@ from .encoder import BATCH, SHIPPED, SIZES, WEIGHT_DECAY, Encoded, batches_of, e
 from .listening import Voices, as_written, heard, voices_of
 from .network import Reader
 from .recordings import read_measured
-from .second_readings import second_readings
+from .second_readings import careful_readings, second_readings
 
 RATE, OUTPUT_FACTOR, EMBEDDING_FACTOR, LAYER_FACTOR = 5e-5, 4.0, 0.4, 0.85
 """Of the last layer; of the outputs and of the embeddings beside it; of each layer beside the one above it."""
@@ -46,6 +48,7 @@ RATE, OUTPUT_FACTOR, EMBEDDING_FACTOR, LAYER_FACTOR = 5e-5, 4.0, 0.4, 0.85
 FROZEN, LAYERS = 2, 6
 WARM_UP_STEPS, LEAST_RATE = 40, 0.02
 TAUGHT, OLD_SHARE, CUT, JOINED, HIDDEN = 0.3, 0.3, 0.12, 0.08, 0.03
+CAREFUL_WORTH, TAUGHT_CAREFUL = 0.8, 0.15
 SHORT_PIECES, FEWEST_WORDS = 30, 3
 MEAN_OF_STEPS = 100
 OTHER_CHANNELS = sum(SIZES[:3])
@@ -63,37 +66,57 @@ Told = tuple[Encoded, Delivery]
 @dataclass(frozen=True, slots=True, eq=False)
 class Material:
     """The lines that are trained on and those held out, what was measured in recordings, the vocabulary, the shipped
-    reader, unless nobody teaches, and in how many epochs the quickly read lines are."""
+    reader, unless nobody teaches, the names of the lines that were read with care, and in how many epochs the quickly
+    read lines and all but these are."""
 
     kept: Sequence[Encoded]
     checked: Sequence[Encoded]
     voices: Voices
     vocabulary: Mapping[str, int]
     teacher: Encoder | None
+    with_care: frozenset[str] = frozenset()
     quick_share: float = 1.0
+    other_share: float = 1.0
 
     def share(self, line: DirectedLine) -> float:
         """The share of epochs in which a line is."""
+        if line.name in self.with_care:
+            return 1.0
         if not line.careful:
-            return OLD_SHARE
-        return self.quick_share if QUICK.match(line.name) else 1.0
+            return OLD_SHARE * self.other_share
+        return self.other_share * (self.quick_share if QUICK.match(line.name) else 1.0)
+
+    def taught(self, line: DirectedLine) -> float:
+        """How far the targets of a line are drawn towards what the teacher reads."""
+        return TAUGHT_CAREFUL if line.name in self.with_care else TAUGHT
 
 
 def material(
-    directing: Path, vocabulary: Mapping[str, int], measured: Path | None, *, without: Sequence[str], taught: bool
+    directing: Path,
+    vocabulary: Mapping[str, int],
+    measured: Path | None,
+    *,
+    without: Sequence[str],
+    taught: bool,
+    careful_worth: float = CAREFUL_WORTH,
 ) -> Material:
-    """All directed lines; those that were read twice have the mean of both readings. Kinds named in `without` are left
-    out of both parts."""
-    second = second_readings()
+    """All directed lines; those that were read several times have the mean of their readings. Kinds named in `without`
+    are left out of both parts."""
+    second, careful = second_readings(), careful_readings()
     lines = [
         each for line in read_lines(directing) if line.source not in without and (each := encoded(line, vocabulary))
     ]
+    held_out = {each.line.name for each in lines if is_held_out(each.line)}
+    read = [
+        _read_with_care(_read_twice(each, second, vocabulary), careful, vocabulary, careful_worth) for each in lines
+    ]
     return Material(
-        kept=[_read_twice(each, second, vocabulary) for each in lines if not is_held_out(each.line)],
-        checked=[_read_twice(each, second, vocabulary) for each in lines if is_held_out(each.line)],
+        kept=[each for each in read if each.line.name not in held_out],
+        checked=[each for each in read if each.line.name in held_out],
         voices=voices_of(read_measured(measured) if measured else {}, (each.line for each in lines)),
         vocabulary=vocabulary,
         teacher=Encoder.load(SHIPPED) if taught else None,
+        with_care=frozenset(careful),
     )
 
 
@@ -112,6 +135,24 @@ def _read_twice(each: Encoded, second: Mapping[str, dict[str, Any]], vocabulary:
     return replace(each, line=replace(each.line, careful=True), wanted=wanted, counts=counts)
 
 
+def _read_with_care(
+    each: Encoded, careful: Mapping[str, list[dict[str, Any]]], vocabulary: Mapping[str, int], worth: float
+) -> Encoded:
+    """A line with the mean of the readings that were made with care, of which the others are 1 - `worth`."""
+    lines = (replace(each.line, reading=reading, careful=True) for reading in careful.get(each.line.name, ()))
+    read = [found for line in lines if (found := encoded(line, vocabulary))]
+    if not read:
+        return each
+    wanted = np.mean([one.wanted for one in read], axis=0)
+    counts = np.mean([one.counts for one in read], axis=0)
+    return replace(
+        each,
+        line=replace(each.line, careful=True),
+        wanted=np.asarray(worth * wanted + (1 - worth) * each.wanted, np.float32),
+        counts=np.asarray(counts, np.float32),
+    )
+
+
 def anneal(reader: Reader, given: Material, minutes: float, seed: int, *, pace: float = 1.0) -> Mapping[str, Tensor]:
     """Trains for that time; the running mean of the weights."""
     chance = random.Random(seed)
@@ -125,7 +166,7 @@ def anneal(reader: Reader, given: Material, minutes: float, seed: int, *, pace: 
             break
         for group, rate in zip(optimizer.param_groups, rates, strict=True):
             group["lr"] = rate * min(1.0, (step + 1) / WARM_UP_STEPS) * max(LEAST_RATE, 1 - share)
-        lines = [_taught(*each, given.teacher) if given.teacher else each[0] for each in batch]
+        lines = [_taught(*each, given) for each in batch]
         _step(reader, optimizer, loss_of(reader, lines, [told for _, told in batch]))
         _follow(mean, reader, min(1 - 1 / MEAN_OF_STEPS, step / (step + 20)))
         if time.monotonic() - told_s > TOLD_EVERY_S:
@@ -149,9 +190,11 @@ def _follow(mean: dict[str, Tensor], reader: Reader, decay: float) -> None:
                 mean[name].lerp_(each, 1 - decay)
 
 
-def _taught(each: Encoded, told: Delivery, teacher: Encoder) -> Encoded:
+def _taught(each: Encoded, told: Delivery, given: Material) -> Encoded:
     """The line with its targets drawn towards what the teacher reads."""
-    reading = teacher.read(each.line.words, told)
+    if given.teacher is None:
+        return each
+    reading, share = given.teacher.read(each.line.words, told), given.taught(each.line)
     manner = np.array([(reading.size + 1) / 2, (reading.speed + 1) / 2], np.float32)
     read = np.concatenate(
         [
@@ -160,7 +203,7 @@ def _taught(each: Encoded, told: Delivery, teacher: Encoder) -> Encoded:
         ],
         axis=1,
     ).astype(np.float32)
-    wanted: SingleArray = (1 - TAUGHT) * each.wanted + TAUGHT * read
+    wanted: SingleArray = (1 - share) * each.wanted + share * read
     return replace(each, wanted=wanted)
 
 
@@ -286,6 +329,8 @@ def main() -> None:
     parser.add_argument("--from", dest="start", type=Path, help="a model of before, which nobody teaches")
     parser.add_argument("--without", nargs="+", default=[], help="kinds of lines that are left out")
     parser.add_argument("--quick-share", type=float, default=1.0, help="in how many epochs quickly read lines are")
+    parser.add_argument("--other-share", type=float, default=1.0, help="in how many epochs lines read without care are")
+    parser.add_argument("--careful-worth", type=float, default=CAREFUL_WORTH, help="what readings made with care count")
     parser.add_argument("--pace", type=float, default=1.0, help="a factor of the learning rates")
     arguments = parser.parse_args()
     torch.set_num_threads(1)
@@ -299,9 +344,10 @@ def main() -> None:
         arguments.measured,
         without=arguments.without,
         taught=arguments.start is None,
+        careful_worth=arguments.careful_worth,
     )
-    print(f"{len(given.kept)} lines; {len(given.checked)} held out", flush=True)
-    given = replace(given, quick_share=arguments.quick_share)
+    print(f"{len(given.kept)} lines, {len(given.with_care)} read with care; {len(given.checked)} held out", flush=True)
+    given = replace(given, quick_share=arguments.quick_share, other_share=arguments.other_share)
     _set(reader, anneal(reader, given, arguments.minutes, arguments.seed, pace=arguments.pace))
     np.savez(arguments.output, allow_pickle=False, **reader.exported())
 

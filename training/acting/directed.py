@@ -19,8 +19,9 @@ import numpy as np
 from understudy.model import SingleArray
 
 OWN = Path(__file__).parent / "lines"
-SECOND = OWN / "second"
-"""Second readings of some of our own lines, to measure agreement by; they are no further lines."""
+SECOND, CAREFUL = OWN / "second", OWN / "careful"
+"""Second readings, and readings that were made with more care, of lines that are elsewhere; they are no further
+lines."""
 
 CHOICE_WORTH = (1.0, 0.5, 0.25)
 """What a director's first, second and third choice are worth (../shared/directing/score.py)."""
@@ -105,7 +106,7 @@ def read_lines(directing: Path) -> list[DirectedLine]:
     """The single readings of the folder `directing`, and our own, without the second readings."""
     words = {record["id"]: _words(record) for record in _records(directing / "directed-lines.jsonl")}
     lines = [DirectedLine(each["id"], words[each["id"]], each) for each in _records(directing / "directed.jsonl")]
-    for path in sorted(set(OWN.glob("**/*.jsonl")) - set(SECOND.rglob("*.jsonl"))):
+    for path in sorted(set(OWN.glob("**/*.jsonl")) - set(SECOND.rglob("*.jsonl")) - set(CAREFUL.rglob("*.jsonl"))):
         lines += read_file(path, careful=path.stem not in FIRST_OWN)
     for path in sorted((directing / "more").glob("*.jsonl")):
         lines += read_file(path, careful=True)

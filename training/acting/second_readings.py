@@ -12,12 +12,13 @@ import json
 import random
 import subprocess
 import sys
+from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from training.acting.directed import OWN, SECOND, read_file
+from training.acting.directed import CAREFUL, OWN, SECOND, read_file
 
 KINDS = (
     "npc", "previs", "lecture", "quarrel", "tender", "monologue", "instruction", "banter", "interview", "rhetoric",
@@ -44,9 +45,20 @@ def pairs_of(kind: str) -> list[tuple[dict[str, Any], dict[str, Any]]]:
 def second_readings() -> dict[str, dict[str, Any]]:
     """All second readings by the name of their line, also those of lines of the folder `directing`, which are without
     their words."""
-    paths = sorted(SECOND.rglob("*.jsonl"))
-    records = [json.loads(line) for path in paths for line in path.read_text(encoding="utf-8").splitlines()]
-    return {record["id"]: record for record in records}
+    return {record["id"]: record for record in _records(SECOND)}
+
+
+def careful_readings() -> dict[str, list[dict[str, Any]]]:
+    """The readings made with care, up to three a line, by the name of their line, without its words."""
+    found: dict[str, list[dict[str, Any]]] = defaultdict(list)
+    for record in _records(CAREFUL):
+        found[record["id"]].append(record)
+    return found
+
+
+def _records(folder: Path) -> Iterator[dict[str, Any]]:
+    for path in sorted(folder.rglob("*.jsonl")):
+        yield from (json.loads(line) for line in path.read_text(encoding="utf-8").splitlines())
 
 
 def _files_of(kind: str) -> list[Path]:

@@ -5,9 +5,9 @@ import json
 import pytest
 
 from tests.support.shared_data import SHARED, needs
-from training.acting.directed import OWN, SECOND, read_lines
+from training.acting.directed import CAREFUL, OWN, SECOND, is_held_out, read_lines
 from training.acting.lines_check import strangers_in
-from training.acting.second_readings import KINDS, pairs_of, second_readings, words_to_read
+from training.acting.second_readings import KINDS, careful_readings, pairs_of, second_readings, words_to_read
 
 DIRECTING = SHARED / "directing"
 
@@ -58,3 +58,24 @@ def test_second_readings_of_unknown_lines_and_other_words_are_told() -> None:
     assert not list(strangers_in(known, known))
     again = [{"id": "npc1-002", "text": "Halt."}, {"id": "npc1-001", "text": "Stop."}]
     assert len(list(strangers_in(again, known))) == 2
+
+
+@needs(DIRECTING)
+def test_every_careful_reading_is_of_a_line_that_is_known_and_within_its_words() -> None:
+    lines = {line.name: line for line in read_lines(DIRECTING)}
+    careful = careful_readings()
+    assert len(careful) > 2000
+    for name, readings in careful.items():
+        assert 1 <= len(readings) <= 3
+        for reading in readings:
+            assert all(0 <= each["first"] <= each["stroke"] <= each["last"] for each in reading["moments"]), name
+            assert all(each["last"] < len(lines[name].words) for each in reading["moments"]), name
+
+
+@needs(DIRECTING)
+def test_three_directors_read_the_same_held_out_lines() -> None:
+    """They are what `benchmarks.behavior.kinds --with-care` measures by, and nothing that is trained on."""
+    paths = sorted(CAREFUL.glob("held_out_*.jsonl"))
+    names = [{json.loads(line)["id"] for line in path.read_text(encoding="utf-8").splitlines()} for path in paths]
+    assert len(names) == 3
+    assert names[0] == names[1] == names[2] <= {line.name for line in read_lines(DIRECTING) if is_held_out(line)}
