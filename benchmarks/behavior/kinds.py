@@ -85,7 +85,7 @@ def measure(directing: Path, readings: Readings, reader: Path | None) -> dict[st
         score = load_score(directing, understudy.behavior.families.shows)
         for (kind, words), lines in readings.items():
             performance = perform_analysis(understudy, timed(find_functions(understudy, " ".join(words))), Options())
-            records = _records(score, lines)
+            records = records_of(score, lines)
             judged = score.judge(records, gestures_of(score, performance))
             judged += score.other_channels(records, *others_of(score, performance))
             for name in ("all", kind):
@@ -112,7 +112,7 @@ def _is_drawn(line: DirectedLine, kinds: Sequence[str]) -> bool:
     return line.source in kinds and zlib.crc32(line.name.encode()) % DRAWN_EVERY == 0
 
 
-def _records(score: Any, lines: Sequence[DirectedLine]) -> list[dict[str, Any]]:  # noqa: ANN401
+def records_of(score: Any, lines: Sequence[DirectedLine]) -> list[dict[str, Any]]:  # noqa: ANN401
     """The readings of a line as score.py reads them: pointings are one family."""
     records = json.loads(json.dumps([line.reading for line in lines]))
     for record in records:

@@ -8,14 +8,14 @@ It begins with the shipped weights. Where a line was read twice (`lines/second/`
 both readings, and every target is drawn for `TAUGHT` of its way to what the shipped reader makes of the same line:
 one reading is one opinion of many, and what was learnt from thousands of other lines is not to be lost. Where a line
 was read with care (`lines/careful/`), these readings count `--careful-worth` of the whole, the others the rest, and
-they are drawn half as far; with `--other-share` each epoch has only that share of all other lines. Some lines are cut
-at the end of a sentence, some are joined, and some pieces are hidden, so that the reader depends on none. The rate
-falls to nearly 0 within the given time; OUT gets the running mean of the weights. With `--from` it begins with a model
-of before (the last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody
-teaches it: what it has never been shown of the kinds `--without` can then be measured. What is heard of a delivery is
-guessed, or drawn from what was measured in recordings (`training/acting/recordings.py`); only then are the weights of
-what is heard trained too. With `--quick-share` each epoch has only that share of the lines of `QUICK`. An eighth of the
-lines is held out, as in `training/acting/encoder.py`, whose needs it has.
+nobody teaches; with `--other-share` each epoch has only that share of all other lines. Some lines are cut at the end
+of a sentence, some are joined, and some pieces are hidden, so that the reader depends on none. The rate falls to
+nearly 0 within the given time; OUT gets the running mean of the weights. With `--from` it begins with a model of before
+(the last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody teaches it: what
+it has never been shown of the kinds `--without` can then be measured. What is heard of a delivery is guessed, or drawn
+from what was measured in recordings (`training/acting/recordings.py`); only then are the weights of what is heard
+trained too. With `--quick-share` each epoch has only that share of the lines of `QUICK`. An eighth of the lines is held
+out, as in `training/acting/encoder.py`, whose needs it has; told is the loss on those of them that were read with care.
 """
 
 import argparse
@@ -35,8 +35,19 @@ from torch import Tensor, nn
 from understudy.behavior.reading.encoder import WORDS_ALONE, Delivery, Encoder
 from understudy.model import SingleArray
 
-from .directed import MANNER, DirectedLine, is_held_out, read_lines
-from .encoder import BATCH, SHIPPED, SIZES, WEIGHT_DECAY, Encoded, batches_of, encoded, loss_of, starting_weights
+from .directed import MANNER, OUTPUTS, DirectedLine, is_held_out, read_lines
+from .encoder import (
+    BATCH,
+    SHIPPED,
+    SIZES,
+    WEIGHT_DECAY,
+    Encoded,
+    batches_of,
+    encoded,
+    inputs_of,
+    loss_of,
+    starting_weights,
+)
 from .listening import Voices, as_written, heard, voices_of
 from .network import Reader
 from .recordings import read_measured
@@ -48,7 +59,7 @@ RATE, OUTPUT_FACTOR, EMBEDDING_FACTOR, LAYER_FACTOR = 5e-5, 4.0, 0.4, 0.85
 FROZEN, LAYERS = 2, 6
 WARM_UP_STEPS, LEAST_RATE = 40, 0.02
 TAUGHT, OLD_SHARE, CUT, JOINED, HIDDEN = 0.3, 0.3, 0.12, 0.08, 0.03
-CAREFUL_WORTH, TAUGHT_CAREFUL = 0.8, 0.15
+CAREFUL_WORTH, TAUGHT_CAREFUL, TAUGHT_OTHERS = 1.0, 0.25, 0.6
 SHORT_PIECES, FEWEST_WORDS = 30, 3
 MEAN_OF_STEPS = 100
 OTHER_CHANNELS = sum(SIZES[:3])
@@ -57,7 +68,9 @@ OTHER_CHANNELS = sum(SIZES[:3])
 QUICK = re.compile("[a-z]+[56]-")
 """The names of the lines of two series that their readers directed very quickly (`lines/README.md`)."""
 
-TOLD_EVERY_S = 480.0
+TOLD_EVERY_S = 240.0
+CALIBRATED_BY, FEW = 1600, 6.0
+"""The lines by which biases are set at the start, and what is added to both sums of an output."""
 
 Told = tuple[Encoded, Delivery]
 """A line, and what is heard of it."""
@@ -65,9 +78,9 @@ Told = tuple[Encoded, Delivery]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Material:
-    """The lines that are trained on and those held out, what was measured in recordings, the vocabulary, the shipped
-    reader, unless nobody teaches, the names of the lines that were read with care, and in how many epochs the quickly
-    read lines and all but these are."""
+    """The lines that are trained on and those held out that were read with care, what was measured in recordings, the
+    vocabulary, the shipped reader, unless nobody teaches, the names of all lines that were read with care, and in how
+    many epochs the quickly read lines and all but these are."""
 
     kept: Sequence[Encoded]
     checked: Sequence[Encoded]
@@ -77,6 +90,7 @@ class Material:
     with_care: frozenset[str] = frozenset()
     quick_share: float = 1.0
     other_share: float = 1.0
+    more: SingleArray | None = None
 
     def share(self, line: DirectedLine) -> float:
         """The share of epochs in which a line is."""
@@ -88,7 +102,9 @@ class Material:
 
     def taught(self, line: DirectedLine) -> float:
         """How far the targets of a line are drawn towards what the teacher reads."""
-        return TAUGHT_CAREFUL if line.name in self.with_care else TAUGHT
+        if not self.with_care:
+            return TAUGHT
+        return TAUGHT_CAREFUL if line.name in self.with_care else TAUGHT_OTHERS
 
 
 def material(
@@ -112,7 +128,7 @@ def material(
     ]
     return Material(
         kept=[each for each in read if each.line.name not in held_out],
-        checked=[each for each in read if each.line.name in held_out],
+        checked=[each for each in read if each.line.name in held_out and each.line.name in careful],
         voices=voices_of(read_measured(measured) if measured else {}, (each.line for each in lines)),
         vocabulary=vocabulary,
         teacher=Encoder.load(SHIPPED) if taught else None,
@@ -151,6 +167,28 @@ def _read_with_care(
         wanted=np.asarray(worth * wanted + (1 - worth) * each.wanted, np.float32),
         counts=np.asarray(counts, np.float32),
     )
+
+
+def calibrate(reader: Reader, given: Material) -> SingleArray:
+    """Sets the biases of the outputs so that as much is expected as careful readings want, by words alone: readers
+    differ in what they like, and an optimizer moves a bias by no more than its rate in a step. Returns by how much."""
+    lines = [each for each in given.kept if each.line.name in given.with_care and not each.line.is_delivery]
+    random.Random(0).shuffle(lines)
+    outputs = sum(SIZES) - len(MANNER)
+    read, wanted = (np.full(outputs, FEW) for _sum in range(2))
+    reader.eval()
+    with torch.no_grad():
+        for first in range(0, min(len(lines), CALIBRATED_BY), BATCH):
+            batch = lines[first : first + BATCH]
+            likely = torch.sigmoid(reader(*inputs_of(batch, [WORDS_ALONE] * len(batch)))).numpy()
+            for each, own in zip(batch, likely, strict=True):
+                read += own[: len(each.ends), :outputs].sum(axis=0)
+                wanted += each.wanted[:, :outputs].sum(axis=0)
+        more = np.zeros(OUTPUTS, np.float32)
+        more[:outputs] = np.log(wanted / read)
+        reader.weights["out/bias"] += torch.from_numpy(more)
+    reader.train()
+    return more
 
 
 def anneal(reader: Reader, given: Material, minutes: float, seed: int, *, pace: float = 1.0) -> Mapping[str, Tensor]:
@@ -203,7 +241,10 @@ def _taught(each: Encoded, told: Delivery, given: Material) -> Encoded:
         ],
         axis=1,
     ).astype(np.float32)
-    wanted: SingleArray = (1 - share) * each.wanted + share * read
+    if given.more is not None:
+        odds = np.exp(given.more) * read / np.maximum(1 - read, 1e-6)
+        read = np.asarray(odds / (1 + odds), np.float32)
+    wanted: SingleArray = np.asarray((1 - share) * each.wanted + share * read, np.float32)
     return replace(each, wanted=wanted)
 
 
@@ -348,6 +389,9 @@ def main() -> None:
     )
     print(f"{len(given.kept)} lines, {len(given.with_care)} read with care; {len(given.checked)} held out", flush=True)
     given = replace(given, quick_share=arguments.quick_share, other_share=arguments.other_share)
+    if given.with_care and not arguments.without:
+        given = replace(given, more=calibrate(reader, given))
+        print(f"calibrated: {_held_out(reader, dict(reader.weights), given)}", flush=True)
     _set(reader, anneal(reader, given, arguments.minutes, arguments.seed, pace=arguments.pace))
     np.savez(arguments.output, allow_pickle=False, **reader.exported())
 

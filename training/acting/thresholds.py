@@ -3,12 +3,12 @@
     python -m training.acting.thresholds CASES.pkl [--weights models/acting/weights.json]
 
 CASES are those of `training/acting/held_out.py`: lines that the reader was not trained on, by their words alone and as
-they were heard; those of them count that two directors read. As in score.py, what both name is asked for, and what
-either names is right. Movements are to be made rather than missed. Those that say something of their own, a shake, a
-smile or a frown, say the contrary of what is meant where they are wrong: they are made where their F is best (for a
-shake one that weighs what is missed), if they are right often enough and, of faces, no more are made than either
-director has. Prints, for each kind and way of giving a line, how many stretches of lines have it and how many of them
-get it, and how many of those that get it have it; and writes the thresholds among the weights.
+they were heard; those of them count that three directors read with care (`lines/careful/`). As in score.py, what two of
+them name is asked for, and what any names is right. Movements are to be made rather than missed. Those that say
+something of their own, a shake, a smile or a frown, say the contrary of what is meant where they are wrong: they are
+made where their F is best (for a shake one that weighs what is missed), if they are right often enough and, of faces,
+no more are made than any director has. Prints, for each kind and way of giving a line, how many stretches of lines have
+it and how many of them get it, and how many of those that get it have it; and writes the thresholds among the weights.
 """
 
 import argparse
@@ -27,10 +27,12 @@ from understudy.model import SingleArray
 
 from .cases import Case
 from .directed import FACE, FAMILIES, HEAD, DirectedLine, targets_of
-from .second_readings import second_readings
+from .second_readings import careful_readings
 
-Pair: TypeAlias = tuple[DirectedLine, DirectedLine]
-"""A line as two directors read it."""
+Readings: TypeAlias = Sequence[DirectedLine]
+"""A line as several directors read it."""
+
+DIRECTORS = 3
 
 READ_AS = {"squint": "frown"}
 """What an audience reads in a face, where that is not what it is called."""
@@ -39,7 +41,7 @@ LEAST_LIKELY = {"head": 0.14, "face": 0.1}
 """No movement is made that is less likely wanted: it would be one among many that mean nothing."""
 
 NO_MORE_THAN_NAMED = frozenset(("smile", "frown", "squint", "sad", "disgust"))
-"""Faces of which no more are made than either director names."""
+"""Faces of which no more are made than any director names."""
 
 NEVER = 0.5
 """A face that is never made by the reading alone needs this; an author's weight of some 6 to 8 reaches it."""
@@ -58,14 +60,14 @@ LEAST_RIGHT = {
     "still": 0.5,
     **dict.fromkeys(("smile", "frown", "squint", "sad", "disgust"), 0.5),
 }
-"""How often movements that say something of their own must be what either director wanted. A wrong shake denies what is
+"""How often movements that say something of their own must be what some director wanted. A wrong shake denies what is
 said."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Stretches:
-    """Of all stretches of the lines (N), how likely each kind is (N, K), whether both directors ask for it (N, K), and
-    whether either does (N, K)."""
+    """Of all stretches of the lines (N), how likely each kind is (N, K), whether two directors ask for it (N, K), and
+    whether any does (N, K)."""
 
     kinds: tuple[str, ...]
     level: SingleArray
@@ -73,26 +75,26 @@ class Stretches:
     named: SingleArray
 
 
-def stretches(pairs: Sequence[Pair], readings: Mapping[str, SingleArray], channel: str) -> Stretches:
-    """The stretches of lines with two readings, on the channel `head` or `face`."""
+def stretches(read: Sequence[Readings], readings: Mapping[str, SingleArray], channel: str) -> Stretches:
+    """The stretches of lines with several readings, on the channel `head` or `face`."""
     kinds, first = (HEAD, 0) if channel == "head" else (FACE, len(HEAD))
     first += 2 * len(FAMILIES) + 1
     levels, asked, named = [], [], []
-    for pair in pairs:
-        likely = readings[pair[0].name][:, first : first + len(kinds)]
-        wanted = [getattr(targets_of(line), channel) for line in pair]
-        for begin, end in stretches_of(pair[0].words):
+    for lines in read:
+        likely = readings[lines[0].name][:, first : first + len(kinds)]
+        wanted = np.stack([getattr(targets_of(line), channel) for line in lines])
+        for begin, end in stretches_of(lines[0].words):
             levels.append(stretch_level(likely[begin : end + 1]))
-            one, other = (each[begin : end + 1].max(axis=0) for each in wanted)
-            asked.append(np.minimum(one, other))
-            named.append(np.maximum(one, other))
+            *_fewer, second, most = np.sort(wanted[:, begin : end + 1].max(axis=1), axis=0)
+            asked.append(second)
+            named.append(most)
     read_as = [kinds.index(READ_AS.get(kind, kind)) for kind in kinds]
     return Stretches(kinds, np.stack(levels), np.stack(asked)[:, read_as], np.stack(named)[:, read_as])
 
 
-def thresholds(pairs: Sequence[Pair], readings: Mapping[str, SingleArray], channel: str) -> dict[str, float]:
+def thresholds(read: Sequence[Readings], readings: Mapping[str, SingleArray], channel: str) -> dict[str, float]:
     """The thresholds of all kinds of a channel."""
-    found = stretches(pairs, readings, channel)
+    found = stretches(read, readings, channel)
     return {kind: _threshold(found, place, LEAST_LIKELY[channel]) for place, kind in enumerate(found.kinds)}
 
 
@@ -124,18 +126,19 @@ def _threshold(found: Stretches, place: int, least: float) -> float:
 
 
 def readings_of(
-    cases: Sequence[Case], second: Mapping[str, dict[str, Any]], encoder: Encoder
-) -> tuple[list[Pair], dict[str, SingleArray]]:
-    """Cases that have a second reading, as lines with names of their own, and what is read of each (W, outputs)."""
-    pairs, readings = [], {}
+    cases: Sequence[Case], careful: Mapping[str, Sequence[dict[str, Any]]], encoder: Encoder
+) -> tuple[Sequence[Readings], dict[str, SingleArray]]:
+    """Cases that were read with care, as lines with names of their own, and what is read of each (W, outputs)."""
+    lines: list[Readings] = []
+    readings: dict[str, SingleArray] = {}
     for case in cases:
         utterance = case.analysis.utterance
         read = encoder.read([word.text for word in utterance.words], Delivery.of(utterance))
         line = replace(case.line, name=f"{case.line.name}, {case.way}")
         parts = (read.at_word, read.nearby, read.stroke[:, None], read.head, read.face, read.gaze)
-        pairs.append((line, replace(line, reading=second[case.line.name])))
+        lines.append([replace(line, reading=each) for each in careful[case.line.name]])
         readings[line.name] = np.concatenate(parts, axis=1)
-    return pairs, readings
+    return lines, readings
 
 
 def _tell(found: Stretches, chosen: Mapping[str, float], way: str) -> None:
@@ -154,14 +157,16 @@ def main() -> None:
     parser.add_argument("cases", type=Path)
     parser.add_argument("--weights", type=Path, default=Path("models/acting/weights.json"))
     arguments = parser.parse_args()
-    twice = second_readings()
-    cases = [case for case in pickle.loads(arguments.cases.read_bytes()) if case.line.name in twice]
-    pairs, readings = readings_of(cases, twice, Encoder.load(arguments.weights.parent / "encoder.onnx"))
+    careful = careful_readings()
+    cases = [
+        case for case in pickle.loads(arguments.cases.read_bytes()) if len(careful.get(case.line.name, ())) >= DIRECTORS
+    ]
+    read, readings = readings_of(cases, careful, Encoder.load(arguments.weights.parent / "encoder.onnx"))
     written = json.loads(arguments.weights.read_text(encoding="utf-8"))
     for channel in ("head", "face"):
-        written[channel] = thresholds(pairs, readings, channel)
+        written[channel] = thresholds(read, readings, channel)
         for way in dict.fromkeys(case.way for case in cases):
-            own = [pair for pair, case in zip(pairs, cases, strict=True) if case.way == way]
+            own = [lines for lines, case in zip(read, cases, strict=True) if case.way == way]
             _tell(stretches(own, readings, channel), written[channel], way)
     arguments.weights.write_text(json.dumps(written, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
