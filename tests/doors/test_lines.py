@@ -49,7 +49,7 @@ def performances(understudy: Understudy) -> dict[Path, Performance]:
 def test_every_line_performs_and_its_bml_passes_the_checker(performances: dict[Path, Performance], path: Path) -> None:
     performance = performances[path]
     assert check(write_bml(performance)) == []
-    assert [behavior for behavior in performance.behaviors if behavior.kept and behavior.function]
+    assert [behavior for behavior in performance.behaviors if behavior.kept and (behavior.function or behavior.rule)]
 
 
 @pytest.mark.parametrize("path", LINES, ids=lambda path: path.stem)

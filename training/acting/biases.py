@@ -1,6 +1,6 @@
 """Sets the biases of the families by what three directors want of held-out lines.
 
-    python -m training.acting.biases CASES.pkl [--weights models/acting/weights.json] [--share 1.5]
+    python -m training.acting.biases CASES.pkl [--weights models/acting/weights.json] [--share 1.0]
 
 CASES are those of `training/acting/held_out.py`; those by words alone count that three directors read with care.
 Readers differ in which families they like: the quick ones hardly ever present. A family of which the reader expects
@@ -97,7 +97,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("cases", type=Path)
     parser.add_argument("--weights", type=Path, default=Path("models/acting/weights.json"))
-    parser.add_argument("--share", type=float, default=1.5)
+    parser.add_argument("--share", type=float, default=1.0)
     parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
     arguments = parser.parse_args()
     careful = careful_readings()

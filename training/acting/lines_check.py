@@ -4,8 +4,9 @@
     python -m training.acting.lines_check write NOTATION... --writer 2
 
 `check` looks at every record in `lines/` and `lines/deliveries/`: words in range, families, names of heads, faces and
-gazes, strokes a moment apart, names and texts that come twice, texts that nearly do; and at `lines/second/`, whose
-lines must be among those, or with `--beside` among those of that folder. `write` makes one file a kind.
+gazes, strokes a moment apart, names and texts that come twice, texts that nearly do; and at `lines/second/` and
+`lines/careful/`, whose lines must be among those, or with `--beside` among those of that folder. `write`
+makes one file a kind.
 """
 
 import argparse
@@ -18,10 +19,12 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from training.acting.directed import OWN, SECOND
+from training.acting.directed import CAREFUL, OWN, SECOND
 from training.acting.notation import AVOIDABLE, CHANNELS, FAMILIES, TONES, NotationError, records_of
 
 DELIVERIES = OWN / "deliveries"
+ALL_HANDS = {"hands", "any"}
+"""What score.py reads as every gesture."""
 NEAR_DOUBLE = 0.5
 """The share of the shorter line's runs of three words that makes two lines near-doubles."""
 LEAST_SHARED = 4
@@ -38,7 +41,7 @@ def problems_of(record: dict[str, Any]) -> list[str]:
         for channel, names in CHANNELS.items():
             found += [f"no {channel} {each}" for each in set(moment.get(channel) or ()) - set(names.values())]
     for avoided in record["avoid"]:
-        found += [f"nothing called {each} to avoid" for each in set(avoided["what"]) - AVOIDABLE]
+        found += [f"nothing called {each} to avoid" for each in set(avoided["what"]) - AVOIDABLE - ALL_HANDS]
     strokes = [moment["stroke"] for moment in record["moments"] if moment["gesture"] not in ([], ["still"])]
     found += [f"strokes {strokes} not in order"] if strokes != sorted(set(strokes)) else []
     return found + (_problems_of_delivery(record, count) if "base" in record else [])
@@ -125,27 +128,29 @@ def _text(record: dict[str, Any]) -> str:
     return record["text"] if "text" in record else " ".join(word.split(":", 1)[1] for word in record["words"])
 
 
-def _of_further(records: list[dict[str, Any]], further: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """The quick second readings with their words; without the lines of the folder, those of our own lines alone."""
+def _of_further(records: list[dict[str, Any]], further: list[dict[str, Any]], folder: Path) -> list[dict[str, Any]]:
+    """The readings in a folder that are without words, with these; without the lines of `further`, those of our own
+    lines alone."""
     texts = {each["id"]: _text(each) for each in [*records, *further]}
-    again = _records(SECOND / "more")
+    again = _records(folder)
     return [{**each, "text": texts.get(each["id"], "")} for each in again if further or each["id"] in texts]
 
 
 def _check(beside: Path | None) -> int:
     records = [*_records(OWN), *_records(DELIVERIES)]
     further = [*_records(beside / "more"), *_records_in(beside / "directed-lines.jsonl")] if beside else []
-    again = [*_records(SECOND), *_records(SECOND / "deliveries"), *_of_further(records, further)]
-    complaints = [f"{each['id']}: {problem}" for each in [*records, *again] for problem in problems_of(each)]
+    again = [*_records(SECOND), *_records(SECOND / "deliveries"), *_of_further(records, further, SECOND / "more")]
+    careful = _of_further(records, further, CAREFUL)
+    complaints = [f"{each['id']}: {problem}" for each in [*records, *again, *careful] for problem in problems_of(each)]
     for some in (records, again):
         names = Counter(each["id"] for each in some)
         complaints += [f"{name} comes {count} times" for name, count in names.items() if count > 1]
-    complaints += strangers_in(again, [*records, *further])
+    complaints += strangers_in([*again, *careful], [*records, *further])
     known: dict[str, str] = {}
     for folder in (beside, beside / "more", beside / "deliveries") if beside else ():
         known |= _texts(_records(folder))
     complaints += doubles_in(_texts(records), known)
-    told = f"{len(records)} readings, {len(again)} second readings, {len(complaints)} complaints"
+    told = f"{len(records)} readings, {len(again)} second and {len(careful)} careful ones, {len(complaints)} complaints"
     print(*complaints, told, sep="\n")
     return 1 if complaints else 0
 
