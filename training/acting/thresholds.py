@@ -37,7 +37,7 @@ DIRECTORS = 3
 READ_AS = {"squint": "frown"}
 """What an audience reads in a face, where that is not what it is called."""
 
-LEAST_LIKELY = {"head": 0.17, "face": 0.15}
+LEAST_LIKELY = {"head": 0.15, "face": 0.15}
 """No movement is made that is less likely wanted: it would be one among many that mean nothing."""
 
 NO_MORE_THAN_NAMED = frozenset(("smile", "frown", "squint", "sad", "disgust"))
@@ -58,10 +58,11 @@ by everybody, and shakes are right more often than faces."""
 LEAST_RIGHT = {
     "shake": 0.8,
     "still": 0.5,
+    **dict.fromkeys(("lips_pressed", "wide_eyes"), 0.55),
     **dict.fromkeys(("smile", "frown", "squint", "sad", "disgust"), 0.6),
 }
-"""How often movements that say something of their own must be what some director wanted. A wrong shake denies what is
-said."""
+"""How often movements that say something of their own must be what some director wanted, and faces that are easily too
+many. A wrong shake denies what is said."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
