@@ -63,8 +63,8 @@ def test_an_edge_of_a_word_is_dragged_and_the_performance_follows(opened: Page) 
 
 
 def test_a_gesture_has_another_hand_is_muted_and_a_word_is_still(opened: Page) -> None:
-    """The first sentence denies and points, the second asks twice and gathers all. A still word has no gesture. Undone to the
-    beginning and done again it is the same."""
+    """The first sentence denies and points, the second asks twice and gathers all. A still word has no gesture. Undone
+    to the beginning and done again it is the same."""
     made = opened.locator("#items li:not(.dropped)[title*='gesture']")
     left = opened.locator("#items li:not(.dropped)[title='gesture NEGATION (left)']")
     right = opened.locator("#items li:not(.dropped)[title='gesture NEGATION (right)']")
