@@ -30,7 +30,7 @@ from benchmarks.behavior.directing import gestures_of, load_score, others_of
 from benchmarks.figures import add_record_option
 from training.acting.directed import DirectedLine, is_held_out, read_lines
 from training.acting.held_out import timed
-from training.acting.second_readings import careful_readings, second_readings
+from training.acting.second_readings import readings_by_three, second_readings
 from understudy.behavior.reading.encoder import Encoder
 from understudy.library.language import find_functions
 from understudy.models import Understudy
@@ -66,13 +66,13 @@ def with_second(readings: Readings) -> Readings:
     }
 
 
-def read_with_care(readings: Readings, directors: int = 3) -> Readings:
-    """The lines that as many directors read with care, with these readings."""
-    careful = careful_readings()
+def read_with_care(readings: Readings) -> Readings:
+    """The lines that three directors read with care, with these readings."""
+    careful = readings_by_three()
     return {
         line: [replace(first, reading=each) for each in careful[first.name]]
         for line, (first, *_others) in readings.items()
-        if len(careful.get(first.name, ())) >= directors
+        if first.name in careful
     }
 
 

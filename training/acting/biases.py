@@ -32,11 +32,11 @@ from understudy.settings import Settings
 
 from .cases import WORDS, Case
 from .directed import FAMILIES, targets_of
-from .second_readings import careful_readings
+from .second_readings import readings_by_three
 
 FEW = 6.0
 """Added to both sums of a family, so that rare ones hardly change."""
-DIRECTORS, FOLDS = 3, 2
+FOLDS = 2
 
 Readings = Mapping[str, Sequence[dict[str, Any]]]
 
@@ -100,9 +100,9 @@ def main() -> None:
     parser.add_argument("--share", type=float, default=1.0)
     parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
     arguments = parser.parse_args()
-    careful = careful_readings()
+    careful = readings_by_three()
     cases: list[Case] = pickle.loads(arguments.cases.read_bytes())
-    cases = [case for case in cases if len(careful.get(case.line.name, ())) >= DIRECTORS]
+    cases = [case for case in cases if case.line.name in careful]
     understudy = Understudy.for_words(Settings())
     score = load_score(arguments.directing, understudy.behavior.families.shows)
     for name, share in (("before", 0.0), ("after", arguments.share)):

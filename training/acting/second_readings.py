@@ -25,6 +25,8 @@ KINDS = (
     "smalltalk",
 )  # fmt: skip
 
+DIRECTORS = 3
+
 
 def words_to_read(kind: str, count: int) -> Iterator[str]:
     """`count` lines of a kind, drawn by chance but always the same ones: the name, then each word with its number."""
@@ -54,6 +56,11 @@ def careful_readings() -> dict[str, list[dict[str, Any]]]:
     for record in _records(CAREFUL):
         found[record["id"]].append(record)
     return found
+
+
+def readings_by_three() -> dict[str, list[dict[str, Any]]]:
+    """The careful readings of the lines that three directors read."""
+    return {name: readings for name, readings in careful_readings().items() if len(readings) == DIRECTORS}
 
 
 def _records(folder: Path) -> Iterator[dict[str, Any]]:

@@ -27,12 +27,10 @@ from understudy.model import SingleArray
 
 from .cases import Case
 from .directed import FACE, FAMILIES, HEAD, DirectedLine, targets_of
-from .second_readings import careful_readings
+from .second_readings import readings_by_three
 
 Readings: TypeAlias = Sequence[DirectedLine]
 """A line as several directors read it."""
-
-DIRECTORS = 3
 
 READ_AS = {"squint": "frown"}
 """What an audience reads in a face, where that is not what it is called."""
@@ -158,10 +156,8 @@ def main() -> None:
     parser.add_argument("cases", type=Path)
     parser.add_argument("--weights", type=Path, default=Path("models/acting/weights.json"))
     arguments = parser.parse_args()
-    careful = careful_readings()
-    cases = [
-        case for case in pickle.loads(arguments.cases.read_bytes()) if len(careful.get(case.line.name, ())) >= DIRECTORS
-    ]
+    careful = readings_by_three()
+    cases = [case for case in pickle.loads(arguments.cases.read_bytes()) if case.line.name in careful]
     read, readings = readings_of(cases, careful, Encoder.load(arguments.weights.parent / "encoder.onnx"))
     written = json.loads(arguments.weights.read_text(encoding="utf-8"))
     for channel in ("head", "face"):
