@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import inf
 
-from ..behavior.reading.decoding import usual_times_s
+from ..behavior.reading.word_times import usual_times_s
 from ..errors import InputError, did_you_mean
 from ..loading import OnDemand
 from ..model import Analysis, Behavior, Fact, Function, Interval, Level, Line, Moment, Utterance

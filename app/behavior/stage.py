@@ -53,9 +53,10 @@ from .choice.scheduling import numbered, schedule
 from .listeners.listening import HeadRates, Listener, addressed, listen, placed_listeners
 from .reading.families import Families
 from .reading.planner import Planner
-from .reading.planning import Plan, Understood, meanings, plan, times_s_of
+from .reading.planning import Plan, Understood, meanings, plan
 from .reading.player import Ban, Player, banned
 from .reading.supports import supports_of
+from .reading.word_times import times_s_of
 from .slots.gestures import with_slots
 from .slots.table import SlotTable
 from .speaker_profiles import (

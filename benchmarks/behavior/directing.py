@@ -35,8 +35,8 @@ from benchmarks.figures import add_record_option
 from training.acting.directed import FAMILIES, DirectedLine, folds_of, gesture_choices, read_lines
 from training.acting.thresholds import read_readings
 from training.acting.weights import examples_of, fitted, lexeme_worths, price_of
-from understudy.behavior.reading.decoding import usual_times_s
 from understudy.behavior.reading.strokes import strokes
+from understudy.behavior.reading.word_times import usual_times_s
 from understudy.bml.writing.writer import write_bml
 from understudy.model import Analysis, Channel, Line, Performance, SingleArray, Word
 from understudy.models import Understudy

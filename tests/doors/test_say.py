@@ -109,7 +109,8 @@ def test_in_a_rheme_the_stroke_is_repeated_on_further_emphases_each_time_smaller
     ]
     schedule = package.realize_bml(understudy, bml).schedule
     gestures = [each for each in schedule.behaviors if each.kind is Channel.GESTURE and each.kept]
-    (narrow,) = [each for each in gestures if each.lexeme == "NARROW"]
+    theme, narrow = gestures
+    assert (narrow.lexeme, theme.sync.end <= narrow.sync.start) == ("NARROW", True)
     plan = plan_gestures(understudy.realizer.library, schedule, seed=0)
     repeats = next(arm.placed.repeats for arm in plan.gestures if arm.behavior == narrow.id)
     assert [each.amplitude for each in repeats] == [0.6, 0.4]

@@ -24,10 +24,10 @@ from scipy.optimize import minimize
 from scipy.sparse import csr_matrix
 
 from understudy.behavior.reading.choice_model import log_odds_of
-from understudy.behavior.reading.decoding import usual_times_s
 from understudy.behavior.reading.families import load_families
 from understudy.behavior.reading.planning import expected_worth
 from understudy.behavior.reading.strokes import Worth, strokes
+from understudy.behavior.reading.word_times import usual_times_s
 from understudy.behavior.reading.worths import lexeme_worth, shown_by_lexemes
 from understudy.behavior.table.behavior_table import load_table
 from understudy.files import resource_folder

@@ -13,9 +13,6 @@ import numpy as np
 
 from ...model import SingleArray
 
-USUAL_WORD_S = 0.3
-"""Seconds a word, with the pauses, where nothing was heard."""
-
 MOST_KINDS = 2
 """The most head movements, or faces, in one stretch."""
 
@@ -60,11 +57,6 @@ class Span:
     last: int
     likely: float
     stroke: int
-
-
-def usual_times_s(count: int) -> list[float]:
-    """The times of words of which none was heard."""
-    return [word * USUAL_WORD_S for word in range(count)]
 
 
 def spans_of(

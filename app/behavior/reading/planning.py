@@ -8,7 +8,7 @@ are planned for the stretches in which directors would likely want them.
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import accumulate, chain
+from itertools import chain
 from math import exp, log
 from typing import TypeAlias
 
@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from ...model import BehaviorCandidates, Channel, Function, Moment, RejectedAlternative, SingleArray, Term, Utterance
 from .choice_model import log_odds_of, worth_of
 from .conditions import NO_WINDOWS, possible_families, possible_lexemes
-from .decoding import BOTH_AT_ONCE, USUAL_WORD_S, held, sentence_ends, spans_of, stretches_of, usual_times_s
+from .decoding import BOTH_AT_ONCE, held, sentence_ends, spans_of, stretches_of
 from .encoder import Delivery, Reading
 from .families import FamilyBehavior
 from .mimes import Mime, mimes_in
@@ -29,6 +29,7 @@ from .resumptions import with_resumed
 from .strokes import NEAR, WHOLE, Window, Worth, strokes, windowed
 from .supports import Support, supports_of
 from .terms import Fact, terms_of
+from .word_times import pace_of, times_s_of
 from .worths import (
     KindWorths,
     LineWorths,
@@ -52,9 +53,6 @@ QUANTITY_WEIGHT = 0.5
 
 PACE_WEIGHT = 0.5
 """How much the quantity of a word follows its time: slow talk has more gestures a word, and as many a second."""
-
-SLOWEST, FASTEST = 2.0, 0.6
-"""Pauses and haste count up to these multiples of the usual time of a word."""
 
 SPARING = 0.3
 """With less than this quantity parallel phrases are not placed for their own sake."""
@@ -191,22 +189,6 @@ def meanings(planner: Planner, line: Understood, player: Player, words: Collecti
 def expected_worth(at_word: SingleArray, nearby: SingleArray) -> SingleArray:
     """The expected worth of a stroke on each word (W, F), by the reading alone."""
     return np.asarray(AT_WORD_SHARE * windowed(at_word, WHOLE) + (1 - AT_WORD_SHARE) * nearby, np.float32)
-
-
-def times_s_of(utterance: Utterance) -> list[float]:
-    """The times at which the words begin; a word that was not heard has the time of the one before it, and where none
-    was heard, all have usual times."""
-    begun = [word.interval.start_s if word.interval else 0.0 for word in utterance.words]
-    return list(accumulate(begun, max)) if any(begun) else usual_times_s(len(begun))
-
-
-def pace_of(utterance: Utterance) -> float:
-    """How long a word takes, pauses included, relative to the usual; 1 where nothing was heard."""
-    heard = [word.interval for word in utterance.words if word.interval]
-    if len(heard) < 2:
-        return 1.0
-    of_word_s = (heard[-1].end_s - heard[0].start_s) / len(heard)
-    return min(max(of_word_s / USUAL_WORD_S, FASTEST), SLOWEST)
 
 
 def _worths(planner: Planner, reading: Reading, line: Understood, player: Player) -> LineWorths:

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from understudy.behavior.reading.decoding import usual_times_s
 from understudy.behavior.reading.parallels import Ground, PlacedStroke, parallel_strokes, placed_strokes, with_placed
+from understudy.behavior.reading.word_times import usual_times_s
 from understudy.library.language import find_functions
 from understudy.model import Function, SingleArray
 from understudy.models import Understudy

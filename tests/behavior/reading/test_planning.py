@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from understudy.behavior.reading import worths as weighing
-from understudy.behavior.reading.decoding import usual_times_s
 from understudy.behavior.reading.planning import FORBIDDEN, Plan, Understood, plan
 from understudy.behavior.reading.player import Player
 from understudy.behavior.reading.strokes import STROKES_APART_S
 from understudy.behavior.reading.supports import GREAT_SCALE, GREAT_WEIGHT, WEIGHT_SCALE
+from understudy.behavior.reading.word_times import usual_times_s
 from understudy.behavior.reading.worths import (
     BESIDE,
     JUST_BEFORE,

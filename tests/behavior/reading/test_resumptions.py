@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from understudy import say
-from understudy.behavior.reading.decoding import usual_times_s
 from understudy.behavior.reading.parallels import Ground
 from understudy.behavior.reading.resumptions import ResumedStroke, resumed_strokes
+from understudy.behavior.reading.word_times import usual_times_s
 from understudy.library.language import find_functions
 from understudy.model import Channel
 from understudy.models import Understudy

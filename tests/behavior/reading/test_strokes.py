@@ -5,7 +5,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from understudy.behavior.reading.decoding import usual_times_s
 from understudy.behavior.reading.strokes import (
     NEAR,
     PLACE,
@@ -19,6 +18,7 @@ from understudy.behavior.reading.strokes import (
     strokes,
     windowed,
 )
+from understudy.behavior.reading.word_times import usual_times_s
 from understudy.model import SingleArray
 
 PRICE = 0.4
