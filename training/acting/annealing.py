@@ -15,7 +15,8 @@ nearly 0 within the given time; OUT gets the running mean of the weights. With `
 it has never been shown of the kinds `--without` can then be measured. What is heard of a delivery is guessed, or drawn
 from what was measured in recordings (`training/acting/recordings.py`); only then are the weights of what is heard
 trained too. With `--quick-share` each epoch has only that share of the lines of `QUICK`. An eighth of the lines is held
-out, as in `training/acting/encoder.py`, whose needs it has; told is the loss on those of them that were read with care.
+out, as in `training/acting/encoder.py`, whose needs it has, and all that three directors read; told is the loss on
+those of them that were read with care.
 """
 
 import argparse
@@ -51,7 +52,7 @@ from .encoder import (
 from .listening import Voices, as_written, heard, voices_of
 from .network import Reader
 from .recordings import read_measured
-from .second_readings import careful_readings, second_readings
+from .second_readings import careful_readings, readings_by_three, second_readings
 
 RATE, OUTPUT_FACTOR, EMBEDDING_FACTOR, LAYER_FACTOR = 5e-5, 4.0, 0.4, 0.85
 """Of the last layer; of the outputs and of the embeddings beside it; of each layer beside the one above it."""
@@ -122,11 +123,11 @@ def material(
 ) -> Material:
     """All directed lines; those that were read several times have the mean of their readings. Kinds named in `without`
     are left out of both parts."""
-    second, careful = second_readings(), careful_readings()
+    second, careful, by_three = second_readings(), careful_readings(), readings_by_three()
     lines = [
         each for line in read_lines(directing) if line.source not in without and (each := encoded(line, vocabulary))
     ]
-    held_out = {each.line.name for each in lines if is_held_out(each.line)}
+    held_out = {each.line.name for each in lines if is_held_out(each.line) or each.line.name in by_three}
     read = [
         _read_with_care(_read_twice(each, second, vocabulary), careful, vocabulary, careful_worth) for each in lines
     ]

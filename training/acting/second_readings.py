@@ -14,6 +14,7 @@ import subprocess
 import sys
 from collections import defaultdict
 from collections.abc import Iterator
+from itertools import chain
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -26,6 +27,7 @@ KINDS = (
 )  # fmt: skip
 
 DIRECTORS = 3
+WRITTEN_WITH_CARE = "*_8.jsonl"
 
 
 def words_to_read(kind: str, count: int) -> Iterator[str]:
@@ -51,9 +53,10 @@ def second_readings() -> dict[str, dict[str, Any]]:
 
 
 def careful_readings() -> dict[str, list[dict[str, Any]]]:
-    """The readings made with care, up to three a line, by the name of their line, without its words."""
+    """The readings made with care, up to three a line, by the name of their line; of further lines without the words,
+    and those of the lines that were directed with care when they were written."""
     found: dict[str, list[dict[str, Any]]] = defaultdict(list)
-    for record in _records(CAREFUL):
+    for record in chain(_records(CAREFUL), _records(OWN, WRITTEN_WITH_CARE)):
         found[record["id"]].append(record)
     return found
 
@@ -63,8 +66,8 @@ def readings_by_three() -> dict[str, list[dict[str, Any]]]:
     return {name: readings for name, readings in careful_readings().items() if len(readings) == DIRECTORS}
 
 
-def _records(folder: Path) -> Iterator[dict[str, Any]]:
-    for path in sorted(folder.rglob("*.jsonl")):
+def _records(folder: Path, names: str = "*.jsonl") -> Iterator[dict[str, Any]]:
+    for path in sorted(folder.rglob(names)):
         yield from (json.loads(line) for line in path.read_text(encoding="utf-8").splitlines())
 
 

@@ -21,7 +21,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from understudy.behavior.reading.decoding import stretch_level, stretches_of
+from understudy.behavior.reading.decoding import stretch_levels, stretches_of
 from understudy.behavior.reading.encoder import Delivery, Encoder
 from understudy.model import SingleArray
 
@@ -85,13 +85,14 @@ def stretches(read: Sequence[Readings], readings: Mapping[str, SingleArray], cha
     for lines in read:
         likely = readings[lines[0].name][:, first : first + len(kinds)]
         wanted = np.stack([getattr(targets_of(line), channel) for line in lines])
-        for begin, end in stretches_of(lines[0].words):
-            levels.append(stretch_level(likely[begin : end + 1]))
+        found = stretches_of(lines[0].words)
+        levels.append(stretch_levels(kinds, likely, found))
+        for begin, end in found:
             *_fewer, second, most = np.sort(wanted[:, begin : end + 1].max(axis=1), axis=0)
             asked.append(second)
             named.append(most)
     read_as = [kinds.index(READ_AS.get(kind, kind)) for kind in kinds]
-    return Stretches(kinds, np.stack(levels), np.stack(asked)[:, read_as], np.stack(named)[:, read_as])
+    return Stretches(kinds, np.concatenate(levels), np.stack(asked)[:, read_as], np.stack(named)[:, read_as])
 
 
 def thresholds(read: Sequence[Readings], readings: Mapping[str, SingleArray], channel: str) -> dict[str, float]:
