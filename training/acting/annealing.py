@@ -2,6 +2,7 @@
 
     python -m training.acting.annealing OUT.npz [--minutes 50] [--seed N] [--measured FILE.json]
     python -m training.acting.annealing OUT.npz --quick-share 0.3 [--other-share 0.25] [--careful-worth 0.8]
+    python -m training.acting.annealing OUT.npz --from MODEL.onnx --taught --pace 7 [--delivery-share 0.5]
     python -m training.acting.annealing OUT.npz --from MODEL.onnx --without npc previs [--pace 2]
 
 It begins with the shipped weights. Where a line was read twice (`lines/second/`), it is trained towards the mean of
@@ -11,10 +12,12 @@ was read with care (`lines/careful/`), these readings count `--careful-worth` of
 nobody teaches; with `--other-share` each epoch has only that share of all other lines. Some lines are cut at the end
 of a sentence, some are joined, and some pieces are hidden, so that the reader depends on none. The rate falls to
 nearly 0 within the given time; OUT gets the running mean of the weights. With `--from` it begins with a model of before
-(the last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody teaches it: what
-it has never been shown of the kinds `--without` can then be measured. What is heard of a delivery is guessed, or drawn
+(the last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody teaches it, but
+for `--taught`: what it has never been shown of the kinds `--without` can then be measured. One that has read the
+careful readings learns less from them a second time: the last that had not is that of commit 60175ecb. What is heard of a delivery is guessed, or drawn
 from what was measured in recordings (`training/acting/recordings.py`); only then are the weights of what is heard
-trained too. With `--quick-share` each epoch has only that share of the lines of `QUICK`. An eighth of the lines is held
+trained too. With `--quick-share` each epoch has only that share of the lines of `QUICK`, with
+`--delivery-share` that of the deliveries, whose words come two to four times in an epoch otherwise. An eighth of the lines is held
 out, as in `training/acting/encoder.py`, whose needs it has, and all that three directors read; told is the loss on
 those of them that were read with care.
 """
@@ -84,8 +87,8 @@ Told = tuple[Encoded, Delivery]
 @dataclass(frozen=True, slots=True, eq=False)
 class Material:
     """The lines that are trained on and those held out that were read with care, what was measured in recordings, the
-    vocabulary, the shipped reader, unless nobody teaches, the names of all lines that were read with care, and in how
-    many epochs the quickly read lines and all but these are."""
+    vocabulary, the shipped reader, unless nobody teaches, the names of all lines that were read with care, in how many
+    epochs the quickly read lines, all but these, and deliveries are, and by how much the teacher is calibrated."""
 
     kept: Sequence[Encoded]
     checked: Sequence[Encoded]
@@ -95,15 +98,17 @@ class Material:
     with_care: frozenset[str] = frozenset()
     quick_share: float = 1.0
     other_share: float = 1.0
+    delivery_share: float = 1.0
     more: SingleArray | None = None
 
     def share(self, line: DirectedLine) -> float:
         """The share of epochs in which a line is."""
+        share = self.delivery_share if line.is_delivery else 1.0
         if line.name in self.with_care:
-            return 1.0
+            return share
         if not line.careful:
             return OLD_SHARE * self.other_share
-        return self.other_share * (self.quick_share if QUICK.match(line.name) else 1.0)
+        return share * self.other_share * (self.quick_share if QUICK.match(line.name) else 1.0)
 
     def taught(self, line: DirectedLine) -> float:
         """How far the targets of a line are drawn towards what the teacher reads."""
@@ -333,9 +338,11 @@ def main() -> None:
     parser.add_argument("--measured", type=Path, help="what the analysis measured in recordings")
     parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
     parser.add_argument("--from", dest="start", type=Path, help="a model of before, which nobody teaches")
+    parser.add_argument("--taught", action="store_true", help="the shipped reader teaches the model of before too")
     parser.add_argument("--without", nargs="+", default=[], help="kinds of lines that are left out")
     parser.add_argument("--quick-share", type=float, default=1.0, help="in how many epochs quickly read lines are")
     parser.add_argument("--other-share", type=float, default=1.0, help="in how many epochs lines read without care are")
+    parser.add_argument("--delivery-share", type=float, default=1.0, help="in how many epochs deliveries are")
     parser.add_argument("--careful-worth", type=float, default=CAREFUL_WORTH, help="what readings made with care count")
     parser.add_argument("--pace", type=float, default=1.0, help="a factor of the learning rates")
     parser.add_argument("--dropout", type=float, default=DROPOUT, help="the share of the states that is left out")
@@ -344,19 +351,26 @@ def main() -> None:
     torch.manual_seed(arguments.seed)
     weights, vocabulary = starting_weights(arguments.start or SHIPPED)
     reader = Reader(weights, dropout=arguments.dropout)
-    reader.weights["heard"].requires_grad_(arguments.measured is not None or arguments.start is not None)
+    alone = arguments.start is not None and not arguments.taught
+    reader.weights["heard"].requires_grad_(arguments.measured is not None or alone)
     given = material(
         arguments.directing,
         vocabulary,
         arguments.measured,
         without=arguments.without,
-        taught=arguments.start is None,
+        taught=not alone,
         careful_worth=arguments.careful_worth,
     )
     print(f"{len(given.kept)} lines, {len(given.with_care)} read with care; {len(given.checked)} held out", flush=True)
-    given = replace(given, quick_share=arguments.quick_share, other_share=arguments.other_share)
+    given = replace(
+        given,
+        quick_share=arguments.quick_share,
+        other_share=arguments.other_share,
+        delivery_share=arguments.delivery_share,
+    )
     if given.with_care and not arguments.without:
-        given = replace(given, more=calibrate(reader, given))
+        more = calibrate(reader, given)
+        given = replace(given, more=None if arguments.start else more)
         print(f"calibrated: {_held_out(reader, dict(reader.weights), given)}", flush=True)
     _set(reader, anneal(reader, given, arguments.minutes, arguments.seed, pace=arguments.pace))
     np.savez(arguments.output, allow_pickle=False, **reader.exported())
