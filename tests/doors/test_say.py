@@ -88,7 +88,7 @@ def test_tags_ask_for_functions_and_gestures(understudy: Understudy) -> None:
 
 RHEME = (
     '<apml><theme>As for the house,</theme> <rheme>it was <gesture name="NARROW"><emphasis adjectival="small">tiny'
-    "</emphasis></gesture> when <emphasis>Peter</emphasis> saw the <emphasis>garden</emphasis>.</rheme></apml>"
+    "</emphasis></gesture> when <emphasis>Peter</emphasis> bought the <emphasis>garden</emphasis>.</rheme></apml>"
 )
 """A turn of Gesture Engine's discourse planner, whose gesture is a small measure."""
 

@@ -6,20 +6,20 @@
     python -m training.acting.annealing OUT.npz --from MODEL.onnx --without npc previs [--pace 2]
 
 It begins with the shipped weights. Where a line was read twice (`lines/second/`), it is trained towards the mean of
-both readings, and every target is drawn for `TAUGHT` of its way to what the shipped reader makes of the same line:
-one reading is one opinion of many, and what was learnt from thousands of other lines is not to be lost. Where a line
-was read with care (`lines/careful/`), these readings count `--careful-worth` of the whole, the others the rest, and
-nobody teaches; with `--other-share` each epoch has only that share of all other lines. Some lines are cut at the end
-of a sentence, some are joined, and some pieces are hidden, so that the reader depends on none. The rate falls to
-nearly 0 within the given time; OUT gets the running mean of the weights. With `--from` it begins with a model of before
-(the last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody teaches it, but
-for `--taught`: what it has never been shown of the kinds `--without` can then be measured. One that has read the
-careful readings learns less from them a second time: the last that had not is that of commit 60175ecb. What is heard of a delivery is guessed, or drawn
-from what was measured in recordings (`training/acting/recordings.py`); only then are the weights of what is heard
-trained too. With `--quick-share` each epoch has only that share of the lines of `QUICK`, with
-`--delivery-share` that of the deliveries, whose words come two to four times in an epoch otherwise. An eighth of the lines is held
-out, as in `training/acting/encoder.py`, whose needs it has, and all that three directors read; told is the loss on
-those of them that were read with care.
+both readings, and every target is drawn for `TAUGHT` of its way to what the shipped reader makes of the same line: one
+reading is one opinion of many, and what was learnt from thousands of other lines is not to be lost. Where a line was
+read with care (`lines/careful/`), these readings count `--careful-worth` of the whole, the others the rest, and nobody
+teaches; with `--other-share` each epoch has only that share of all other lines. Some lines are cut at the end of a
+sentence, some are joined, and some pieces are hidden, so that the reader depends on none. The rate falls to nearly 0
+within the given time; OUT gets the running mean of the weights. With `--from` it begins with a model of before (the
+last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody teaches it, but for
+`--taught`: what it has never been shown of the kinds `--without` can then be measured. One that has read the careful
+readings learns less from them a second time: the last that had not is that of commit 60175ecb. What is heard of a
+delivery is guessed, or drawn from what was measured in recordings (`training/acting/recordings.py`); only then are the
+weights of what is heard trained too. With `--quick-share` each epoch has only that share of the lines of `QUICK`, with
+`--delivery-share` that of the deliveries, whose words come two to four times in an epoch otherwise. An eighth of the
+lines is held out, as in `training/acting/encoder.py`, whose needs it has, and all that three directors read; told is
+the loss on those of them that were read with care.
 """
 
 import argparse

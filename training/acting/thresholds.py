@@ -35,7 +35,7 @@ Readings: TypeAlias = Sequence[DirectedLine]
 READ_AS = {"squint": "frown"}
 """What an audience reads in a face, where that is not what it is called."""
 
-LEAST_LIKELY = {"head": 0.15, "face": 0.15}
+LEAST_LIKELY = 0.15
 """No movement is made that is less likely wanted: it would be one among many that mean nothing."""
 
 NO_MORE_THAN_NAMED = frozenset(("smile", "frown", "squint", "sad", "disgust"))
@@ -54,7 +54,7 @@ TONED_BETA = {"shake": 2.0}
 by everybody, and shakes are right more often than faces."""
 
 LEAST_RIGHT = {
-    "shake": 0.8,
+    "shake": 0.85,
     "still": 0.5,
     **dict.fromkeys(("lips_pressed", "wide_eyes"), 0.55),
     **dict.fromkeys(("smile", "squint", "sad", "disgust"), 0.6),
@@ -98,7 +98,7 @@ def stretches(read: Sequence[Readings], readings: Mapping[str, SingleArray], cha
 def thresholds(read: Sequence[Readings], readings: Mapping[str, SingleArray], channel: str) -> dict[str, float]:
     """The thresholds of all kinds of a channel."""
     found = stretches(read, readings, channel)
-    return {kind: _threshold(found, place, LEAST_LIKELY[channel]) for place, kind in enumerate(found.kinds)}
+    return {kind: _threshold(found, place) for place, kind in enumerate(found.kinds)}
 
 
 def read_readings(path: Path) -> dict[str, SingleArray]:
@@ -107,13 +107,13 @@ def read_readings(path: Path) -> dict[str, SingleArray]:
         return {name: stored[name].astype(np.float32) for name in stored.files}
 
 
-def _threshold(found: Stretches, place: int, least: float) -> float:
+def _threshold(found: Stretches, place: int) -> float:
     """The level of a stretch from which a movement is made: with F_beta on stretches at its best, for a toned one with
     F, where it is right often enough; never where it is not."""
     kind, asked, named = found.kinds[place], found.asked[:, place], found.named[:, place]
     beta = TONED_BETA.get(kind, 1.0) if kind in LEAST_RIGHT else BETA
     best = (0.0, NEVER)
-    for threshold in np.arange(least, NEVER, 0.02):
+    for threshold in np.arange(LEAST_LIKELY, NEVER, 0.02):
         made = found.level[:, place] >= threshold
         right, done = (
             float((made * named).sum()) / max(made.sum(), 1),

@@ -6,12 +6,14 @@ is decided in `strokes.py`.
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import chain, pairwise
 from types import MappingProxyType
 
 import numpy as np
 
 from ...model import SingleArray
+from .choice_model import log_odds_of, worth_of
 
 MOST_KINDS = 2
 """The most head movements, or faces, in one stretch."""
@@ -33,6 +35,10 @@ ATTITUDES = frozenset(("smile", "frown", "sad", "disgust"))
 LASTING = 0.3
 """An attitude lasts over the stretches beside its own while it is this likely there, as a share of its threshold.
 Chosen on held-out lines (docs/measurements/choice.md)."""
+
+MOOD = 0.3
+"""How far an attitude over one stretch follows the whole line, in log-odds: one who smiles at the end of a line does so
+more likely at its start. Chosen on held-out lines (docs/decisions/choice-experiments.md)."""
 
 MOUTH = frozenset(("smile", "sad", "lips_pressed", "disgust"))
 BROWS = frozenset(("brows_up", "frown", "squint", "wide_eyes"))
@@ -67,7 +73,7 @@ def spans_of(
     *,
     asked: Collection[tuple[int, str]] = (),
 ) -> Iterator[Span]:
-    """The kinds (W, K) that pass their thresholds in each stretch, the clearest first, without contrary pairs.
+    """The kinds (W, K) that pass their thresholds in each stretch, the likeliest first, without contrary pairs.
 
     Two in one stretch follow each other in the order of their likeliest words, except that a mouth and brows go
     together, and that a head nods while it is tilted (`BOTH_AT_ONCE`). They share it by halves, unless a rule `asked`
@@ -75,8 +81,8 @@ def spans_of(
     """
     least = np.array([thresholds[kind] for kind in kinds], np.float32)
     parts = [likely[first : last + 1] for first, last in stretches]
-    levels = [stretch_level(part) / least for part in parts]
-    taken = _lasting([_passing(kinds, level) for level in levels], kinds, levels)
+    levels = stretch_levels(kinds, likely, stretches) / least
+    taken = _lasting(map(partial(_passing, kinds), levels, parts), kinds, levels)
     for (first, last), part, places in zip(stretches, parts, taken, strict=True):
         own = [(kinds[each], part[:, each]) for each in places]
         wanted = {kind for word, kind in asked if first <= word <= last}
@@ -84,21 +90,21 @@ def spans_of(
         yield from at_once or _one_after_another(own, first, last, asked)
 
 
-def _passing(kinds: Sequence[str], level: SingleArray) -> list[int]:
-    """The places of the kinds that a stretch has, given their probabilities (K,) as multiples of their thresholds."""
+def _passing(kinds: Sequence[str], level: SingleArray, likely: SingleArray) -> list[int]:
+    """The places of the kinds that a stretch has, those with the likeliest word first; `level` are their probabilities
+    over the stretch (K,) as multiples of their thresholds, `likely` those on its words (W, K)."""
     taken: list[int] = []
-    for place in np.argsort(-level, kind="stable").tolist():
+    for place in np.argsort(-likely.max(axis=0), kind="stable").tolist():
         if level[place] < 1 or len(taken) == MOST_KINDS:
-            break
+            continue
         if not any(_exclude(kinds[place], kinds[each]) for each in taken):
             taken.append(place)
     return taken
 
 
-def _lasting(
-    passing: Iterable[list[int]], kinds: Sequence[str], levels: Sequence[SingleArray]
-) -> Sequence[Sequence[int]]:
-    """The kinds of each stretch, with the attitudes that last from its neighbours and leave those it has."""
+def _lasting(passing: Iterable[list[int]], kinds: Sequence[str], levels: SingleArray) -> Sequence[Sequence[int]]:
+    """The kinds of each stretch, with the attitudes that last from its neighbours and leave those it has; `levels` are
+    multiples of thresholds (S, K)."""
     taken = list(passing)
     onwards = range(len(taken))
     for here, beside in chain(pairwise(onwards), pairwise(reversed(onwards))):
@@ -133,9 +139,16 @@ def _goes_on(before: Span, span: Span, ending: Collection[int]) -> bool:
     return follows and span.kind not in DONE_ONCE and span.last - before.first < MOST_HELD
 
 
-def stretch_level(likely: SingleArray) -> SingleArray:
-    """The probability of each kind over a stretch (W, K): halfway between the mean and the maximum of its words."""
-    return np.asarray(0.5 * (likely.mean(axis=0) + likely.max(axis=0)), np.float32)
+def stretch_levels(kinds: Sequence[str], likely: SingleArray, stretches: Sequence[tuple[int, int]]) -> SingleArray:
+    """The probability of each kind over each stretch (S, K): halfway between the mean and the maximum of its words; of
+    attitudes, part of the way from there to that of the whole line."""
+    parts = [likely[first : last + 1] for first, last in stretches]
+    levels = np.array([0.5 * (part.mean(axis=0) + part.max(axis=0)) for part in parts], np.float32)
+    attitudes = [place for place, kind in enumerate(kinds) if kind in ATTITUDES]
+    odds = log_odds_of(levels[:, attitudes])
+    whole = np.average(odds, axis=0, weights=[len(part) for part in parts])
+    levels[:, attitudes] = worth_of((1 - MOOD) * odds + MOOD * whole)
+    return levels
 
 
 def stretches_of(texts: Sequence[str]) -> list[tuple[int, int]]:

@@ -22,7 +22,7 @@ import numpy as np
 
 from ...model import Channel, SingleArray, Term
 from .choice_model import READING, ChoiceModel, log_odds_of, worth_of
-from .decoding import stretch_level
+from .decoding import stretch_levels
 from .families import OTHER_FAMILY, FamilyBehavior, merged
 from .mimes import Mime
 from .supports import Support
@@ -235,9 +235,11 @@ class KindWorths:
 
     def margin(self, kind: str, first: int, last: int) -> float:
         """How far the kind is above its threshold over words `first` to `last`, in log-odds."""
-        level = stretch_level(self.likely[first : last + 1])[self.kinds.index(kind)]
+        parts = [(0, first - 1), (first, last), (last + 1, len(self.likely) - 1)]
+        stretches = [(begin, end) for begin, end in parts if begin <= end]
+        levels = stretch_levels(self.kinds, self.likely, stretches)[stretches.index((first, last))]
         threshold = self.thresholds[kind]
-        return float(log_odds_of(np.array([level], np.float32))[0]) - log(threshold / (1 - threshold))
+        return float(log_odds_of(levels)[self.kinds.index(kind)]) - log(threshold / (1 - threshold))
 
     def parts(self, kind: str, word: int) -> tuple[Term, ...]:
         """The named parts of the kind's worth on a word, the largest first."""

@@ -3,7 +3,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from understudy.behavior.reading.decoding import MOST_HELD, Span, held, spans_of, stretches_of
+from understudy.behavior.reading.decoding import MOST_HELD, Span, held, spans_of, stretch_levels, stretches_of
 
 
 @pytest.mark.parametrize(
@@ -92,8 +92,21 @@ def test_an_attitude_lasts_where_it_is_still_likely_and_other_faces_do_not(
     assert len(spans_of_two(("brows_up",), *levels)) == 1
 
 
+def test_the_likelier_of_two_is_made_and_not_the_one_further_above_its_threshold() -> None:
+    likely = np.array([(0.6, 0.8)], np.float32)
+    (made,) = spans_of(("brows_up", "frown"), likely, [(0, 0)], {"brows_up": 0.1, "frown": 0.7})
+    assert made.kind == "frown"
+
+
+def test_an_attitude_is_likelier_where_the_whole_line_has_it() -> None:
+    kinds, rows = ("smile", "brows_up"), ((0.9, 0.9), (0.3, 0.3))
+    begins, goes_on = stretch_levels(kinds, np.array(rows, np.float32), [(0, 0), (1, 1)])
+    assert begins.tolist() == pytest.approx([0.85, 0.9], abs=0.01)
+    assert goes_on.tolist() == pytest.approx([0.4, 0.3], abs=0.01)
+
+
 def test_an_attitude_ends_where_it_is_not_likely_or_another_face_is_clear() -> None:
-    assert spans_of_two(("smile",), (0.9,), (0.05,)) == {("smile", 0, 1)}
+    assert spans_of_two(("smile",), (0.9,), (0.02,)) == {("smile", 0, 1)}
     assert spans_of_two(("smile", "sad"), (0.9, 0.0), (0.2, 0.9)) == {("smile", 0, 1), ("sad", 2, 3)}
     assert ("smile", 2, 3) in spans_of_two(("smile", "brows_up"), (0.9, 0.0), (0.2, 0.9))
 

@@ -63,14 +63,14 @@ def test_an_edge_of_a_word_is_dragged_and_the_performance_follows(opened: Page) 
 
 
 def test_a_gesture_has_another_hand_is_muted_and_a_word_is_still(opened: Page) -> None:
-    """The first sentence denies and points, the second asks twice and gathers all. A still word has no gesture. Undone
+    """The first sentence denies and points, the second asks and gathers all. A still word has no gesture. Undone
     to the beginning and done again it is the same."""
     made = opened.locator("#items li:not(.dropped)[title*='gesture']")
     left = opened.locator("#items li:not(.dropped)[title='gesture NEGATION (left)']")
     right = opened.locator("#items li:not(.dropped)[title='gesture NEGATION (right)']")
     question = opened.locator("#items li:not(.dropped)[title*='gesture QUESTION']")
     muted = opened.locator("#items li.dropped[title*='gesture QUESTION']")
-    expect(made).to_have_count(5)
+    expect(made).to_have_count(4)
     select(opened, "gesture NEGATION")
     opened.select_option("#selected label:has-text('Hand') select", "left")
     expect(left).to_have_count(1)
@@ -78,31 +78,31 @@ def test_a_gesture_has_another_hand_is_muted_and_a_word_is_still(opened: Page) -
     opened.click("#mute")
     expect(muted).to_contain_text("muted by the author")
     expect(opened.locator("#mute")).to_have_attribute("aria-pressed", "true")
-    expect(made).to_have_count(4)
+    expect(made).to_have_count(3)
     select(opened, "word never")
     opened.select_option("#word-mark", "still")
     expect(left).to_have_count(0)
     expect(right).to_have_count(0)
-    expect(made).to_have_count(3)
+    expect(made).to_have_count(2)
     expect(muted).to_contain_text("muted by the author")
     select(opened, "gesture QUESTION (right), dropped")
     opened.click("#mute")
     expect(question).to_have_count(1)
-    expect(made).to_have_count(4)
+    expect(made).to_have_count(3)
     for _change in range(4):
         opened.click("#undo")
     expect(opened.locator("#undo")).to_be_disabled()
     expect(right).to_have_count(1)
-    expect(made).to_have_count(5)
+    expect(made).to_have_count(4)
     for _change in range(3):
         opened.click("#redo")
     expect(right).to_have_count(0)
-    expect(made).to_have_count(3)
+    expect(made).to_have_count(2)
     expect(muted).to_contain_text("muted by the author")
     opened.click("#redo")
     expect(opened.locator("#redo")).to_be_disabled()
     expect(question).to_have_count(1)
-    expect(made).to_have_count(4)
+    expect(made).to_have_count(3)
 
 
 def test_each_setting_of_the_line_is_performed_and_undone(page: Page) -> None:
