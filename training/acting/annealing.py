@@ -8,18 +8,18 @@
 It begins with the shipped weights. Where a line was read twice (`lines/second/`), it is trained towards the mean of
 both readings, and every target is drawn for `TAUGHT` of its way to what the shipped reader makes of the same line: one
 reading is one opinion of many, and what was learnt from thousands of other lines is not to be lost. Where a line was
-read with care (`lines/careful/`), these readings count `--careful-worth` of the whole, the others the rest, and nobody
-teaches; with `--other-share` each epoch has only that share of all other lines. Some lines are cut at the end of a
-sentence, some are joined, and some pieces are hidden, so that the reader depends on none. The rate falls to nearly 0
-within the given time; OUT gets the running mean of the weights. With `--from` it begins with a model of before (the
-last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody teaches it, but for
-`--taught`: what it has never been shown of the kinds `--without` can then be measured. One that has read the careful
-readings learns less from them a second time: the last that had not is that of commit 60175ecb. What is heard of a
-delivery is guessed, or drawn from what was measured in recordings (`training/acting/recordings.py`); only then are the
-weights of what is heard trained too. With `--quick-share` each epoch has only that share of the lines of `QUICK`, with
-`--delivery-share` that of the deliveries, whose words come two to four times in an epoch otherwise. An eighth of the
-lines is held out, as in `training/acting/encoder.py`, whose needs it has, and all that three directors read; told is
-the loss on those of them that were read with care.
+read with care (`lines/careful/`), these readings count `--careful-worth` of the whole, the others the rest, and less is
+taught (`TAUGHT_CAREFUL`); with `--other-share` each epoch has only that share of all other lines. Some lines are cut at
+the end of a sentence, some are joined, and some pieces are hidden, so that the reader depends on none. The rate falls
+to nearly 0 within the given time; OUT gets the running mean of the weights. With `--from` it begins with a model of
+before (the last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody teaches
+it, but for `--taught`: what it has never been shown of the kinds `--without` can then be measured. One that has read
+the careful readings learns less from them a second time: the last that had not is that of commit 60175ecb. What is
+heard of a delivery is guessed, or drawn from what was measured in recordings (`training/acting/recordings.py`); only
+then, and where nobody teaches, are the weights of what is heard trained too. With `--quick-share` each epoch has only
+that share of the lines of `QUICK`, with `--delivery-share` that of the deliveries, whose words come two to four times
+in an epoch otherwise. An eighth of the lines is held out, as in `training/acting/encoder.py`, whose needs it has, and
+all that three directors read; told is the loss on those of them that were read with care.
 """
 
 import argparse
@@ -55,7 +55,7 @@ from .encoder import (
 from .listening import Voices, as_written, heard, voices_of
 from .network import Reader
 from .recordings import read_measured
-from .second_readings import careful_readings, readings_by_three, second_readings
+from .second_readings import DIRECTORS, careful_readings, second_readings
 
 RATE, OUTPUT_FACTOR, EMBEDDING_FACTOR, LAYER_FACTOR = 5e-5, 4.0, 0.4, 0.85
 """Of the last layer; of the outputs and of the embeddings beside it; of each layer beside the one above it."""
@@ -128,11 +128,12 @@ def material(
 ) -> Material:
     """All directed lines; those that were read several times have the mean of their readings. Kinds named in `without`
     are left out of both parts."""
-    second, careful, by_three = second_readings(), careful_readings(), readings_by_three()
+    second, careful = second_readings(), careful_readings()
     lines = [
         each for line in read_lines(directing) if line.source not in without and (each := encoded(line, vocabulary))
     ]
-    held_out = {each.line.name for each in lines if is_held_out(each.line) or each.line.name in by_three}
+    by_three = {name for name, readings in careful.items() if len(readings) == DIRECTORS}
+    held_out = {each.line.name for each in lines if is_held_out(each.line)} | by_three
     read = [
         _read_with_care(_read_twice(each, second, vocabulary), careful, vocabulary, careful_worth) for each in lines
     ]
@@ -331,13 +332,45 @@ def _set(reader: Reader, weights: Mapping[str, Tensor]) -> None:
 
 
 def main() -> None:
+    arguments = _arguments()
+    torch.set_num_threads(1)
+    torch.manual_seed(arguments.seed)
+    weights, vocabulary = starting_weights(arguments.start or SHIPPED)
+    reader = Reader(weights, dropout=arguments.dropout)
+    alone = arguments.start is not None and not arguments.taught
+    reader.weights["heard"].requires_grad_(arguments.measured is not None or alone)
+    given = replace(
+        material(
+            arguments.directing,
+            vocabulary,
+            arguments.measured,
+            without=arguments.without,
+            taught=not alone,
+            careful_worth=arguments.careful_worth,
+        ),
+        quick_share=arguments.quick_share,
+        other_share=arguments.other_share,
+        delivery_share=arguments.delivery_share,
+    )
+    print(f"{len(given.kept)} lines, {len(given.with_care)} read with care; {len(given.checked)} held out", flush=True)
+    if given.with_care and not arguments.without:
+        more = calibrate(reader, given)
+        given = given if arguments.start else replace(given, more=more)
+        print(f"calibrated: {_held_out(reader, dict(reader.weights), given)}", flush=True)
+    _set(reader, anneal(reader, given, arguments.minutes, arguments.seed, pace=arguments.pace))
+    np.savez(arguments.output, allow_pickle=False, **reader.exported())
+
+
+def _arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("output", type=Path)
     parser.add_argument("--minutes", type=float, default=50.0)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--measured", type=Path, help="what the analysis measured in recordings")
     parser.add_argument("--directing", type=Path, default=Path("../shared/directing"))
-    parser.add_argument("--from", dest="start", type=Path, help="a model of before, which nobody teaches")
+    parser.add_argument(
+        "--from", dest="start", type=Path, help="a model of before, which nobody teaches but for --taught"
+    )
     parser.add_argument("--taught", action="store_true", help="the shipped reader teaches the model of before too")
     parser.add_argument("--without", nargs="+", default=[], help="kinds of lines that are left out")
     parser.add_argument("--quick-share", type=float, default=1.0, help="in how many epochs quickly read lines are")
@@ -347,33 +380,9 @@ def main() -> None:
     parser.add_argument("--pace", type=float, default=1.0, help="a factor of the learning rates")
     parser.add_argument("--dropout", type=float, default=DROPOUT, help="the share of the states that is left out")
     arguments = parser.parse_args()
-    torch.set_num_threads(1)
-    torch.manual_seed(arguments.seed)
-    weights, vocabulary = starting_weights(arguments.start or SHIPPED)
-    reader = Reader(weights, dropout=arguments.dropout)
-    alone = arguments.start is not None and not arguments.taught
-    reader.weights["heard"].requires_grad_(arguments.measured is not None or alone)
-    given = material(
-        arguments.directing,
-        vocabulary,
-        arguments.measured,
-        without=arguments.without,
-        taught=not alone,
-        careful_worth=arguments.careful_worth,
-    )
-    print(f"{len(given.kept)} lines, {len(given.with_care)} read with care; {len(given.checked)} held out", flush=True)
-    given = replace(
-        given,
-        quick_share=arguments.quick_share,
-        other_share=arguments.other_share,
-        delivery_share=arguments.delivery_share,
-    )
-    if given.with_care and not arguments.without:
-        more = calibrate(reader, given)
-        given = replace(given, more=None if arguments.start else more)
-        print(f"calibrated: {_held_out(reader, dict(reader.weights), given)}", flush=True)
-    _set(reader, anneal(reader, given, arguments.minutes, arguments.seed, pace=arguments.pace))
-    np.savez(arguments.output, allow_pickle=False, **reader.exported())
+    if arguments.taught and not arguments.start:
+        parser.error("--taught goes with --from: the shipped reader is taught by itself without it")
+    return arguments
 
 
 if __name__ == "__main__":

@@ -28,6 +28,7 @@ KINDS = (
 
 DIRECTORS = 3
 WRITTEN_WITH_CARE = "*_8.jsonl"
+"""The files of lines that were directed with care when they were written (`lines/README.md`)."""
 
 
 def words_to_read(kind: str, count: int) -> Iterator[str]:

@@ -95,11 +95,9 @@ def _passing(kinds: Sequence[str], level: SingleArray, likely: SingleArray) -> l
     over the stretch (K,) as multiples of their thresholds, `likely` those on its words (W, K)."""
     taken: list[int] = []
     for place in np.argsort(-likely.max(axis=0), kind="stable").tolist():
-        if level[place] < 1 or len(taken) == MOST_KINDS:
-            continue
-        if not any(_exclude(kinds[place], kinds[each]) for each in taken):
+        if level[place] >= 1 and not any(_exclude(kinds[place], kinds[each]) for each in taken):
             taken.append(place)
-    return taken
+    return taken[:MOST_KINDS]
 
 
 def _lasting(passing: Iterable[list[int]], kinds: Sequence[str], levels: SingleArray) -> Sequence[Sequence[int]]:
@@ -142,6 +140,8 @@ def _goes_on(before: Span, span: Span, ending: Collection[int]) -> bool:
 def stretch_levels(kinds: Sequence[str], likely: SingleArray, stretches: Sequence[tuple[int, int]]) -> SingleArray:
     """The probability of each kind over each stretch (S, K): halfway between the mean and the maximum of its words; of
     attitudes, part of the way from there to that of the whole line."""
+    if not stretches:
+        return np.empty((0, len(kinds)), np.float32)
     parts = [likely[first : last + 1] for first, last in stretches]
     levels = np.array([0.5 * (part.mean(axis=0) + part.max(axis=0)) for part in parts], np.float32)
     attitudes = [place for place, kind in enumerate(kinds) if kind in ATTITUDES]

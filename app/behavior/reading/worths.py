@@ -234,7 +234,8 @@ class KindWorths:
     thresholds: Mapping[str, float]
 
     def margin(self, kind: str, first: int, last: int) -> float:
-        """How far the kind is above its threshold over words `first` to `last`, in log-odds."""
+        """How far the kind is above its threshold over words `first` to `last`, in log-odds; what comes before and
+        after them is the rest of the line."""
         parts = [(0, first - 1), (first, last), (last + 1, len(self.likely) - 1)]
         stretches = [(begin, end) for begin, end in parts if begin <= end]
         levels = stretch_levels(self.kinds, self.likely, stretches)[stretches.index((first, last))]

@@ -105,8 +105,14 @@ def test_an_attitude_is_likelier_where_the_whole_line_has_it() -> None:
     assert goes_on.tolist() == pytest.approx([0.4, 0.3], abs=0.01)
 
 
+def test_words_without_text_have_no_stretch_and_nothing_is_made() -> None:
+    texts = ["", ""]
+    assert stretches_of(texts) == []
+    assert list(spans_of(("smile", "nod"), np.full((2, 2), 0.9, np.float32), stretches_of(texts), THRESHOLDS)) == []
+
+
 def test_an_attitude_ends_where_it_is_not_likely_or_another_face_is_clear() -> None:
-    assert spans_of_two(("smile",), (0.9,), (0.02,)) == {("smile", 0, 1)}
+    assert spans_of_two(("smile",), (0.9,), (0.04,)) == {("smile", 0, 1)}
     assert spans_of_two(("smile", "sad"), (0.9, 0.0), (0.2, 0.9)) == {("smile", 0, 1), ("sad", 2, 3)}
     assert ("smile", 2, 3) in spans_of_two(("smile", "brows_up"), (0.9, 0.0), (0.2, 0.9))
 

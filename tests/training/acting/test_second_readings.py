@@ -42,6 +42,13 @@ def test_every_second_reading_is_of_a_line_that_is_trained_on_and_within_its_wor
         assert all(moment["last"] < len(lines[name].words) for moment in reading["moments"]), name
 
 
+def test_lines_directed_with_care_when_they_were_written_have_their_own_reading_as_the_careful_one() -> None:
+    careful = careful_readings()
+    written = [json.loads(line) for path in OWN.rglob("*_8.jsonl") for line in path.read_text("utf-8").splitlines()]
+    assert len(written) > 2600
+    assert all(careful[each["id"]] == [each] for each in written)
+
+
 def test_words_to_read_show_nothing_of_the_first_reading() -> None:
     text = "".join(path.read_text(encoding="utf-8") for path in OWN.glob("npc_[12].jsonl"))
     records = [json.loads(line) for line in text.splitlines()]
