@@ -9,7 +9,8 @@ It begins with the shipped weights. Where a line was read twice (`lines/second/`
 both readings, and every target is drawn for `TAUGHT` of its way to what the shipped reader makes of the same line: one
 reading is one opinion of many, and what was learnt from thousands of other lines is not to be lost. Where a line was
 read with care (`lines/careful/`), these readings count `--careful-worth` of the whole, the others the rest, and less is
-taught (`TAUGHT_CAREFUL`); with `--other-share` each epoch has only that share of all other lines. Some lines are cut at
+taught (`TAUGHT_CAREFUL`); of its head and face those readings that are of them alone (`lines/heads/`, `lines/faces/`)
+count `--heads-alone` and `--faces-alone`. With `--other-share` each epoch has only that share of all other lines. Some lines are cut at
 the end of a sentence, some are joined, and some pieces are hidden, so that the reader depends on none. The rate falls
 to nearly 0 within the given time; OUT gets the running mean of the weights. With `--from` it begins with a model of
 before (the last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody teaches
@@ -29,6 +30,7 @@ import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -39,6 +41,7 @@ from understudy.behavior.reading.encoder import WORDS_ALONE, Delivery, Encoder
 from understudy.model import SingleArray
 
 from .augmentation import cut, joined, with_hidden
+from .channel_readings import ChannelReading, asked_by, channel_readings
 from .directed import MANNER, OUTPUTS, DirectedLine, is_held_out, read_lines
 from .encoder import (
     BATCH,
@@ -72,6 +75,12 @@ DROPOUT = 0.0
 MEAN_OF_STEPS = 100
 OTHER_CHANNELS = sum(SIZES[:3])
 """The first output that is not of the hands."""
+
+CHANNELS = {"head": slice(sum(SIZES[:3]), sum(SIZES[:4])), "face": slice(sum(SIZES[:4]), sum(SIZES[:5]))}
+"""Where head movements and faces are among the outputs."""
+
+ALONE_WORTH = MappingProxyType({"head": 0.5, "face": 1.0})
+"""What readings of head and face alone count; those of the whole body count the rest."""
 
 QUICK = re.compile("[a-z]+[56]-")
 """The names of the lines of two series that their readers directed very quickly (`lines/README.md`)."""
@@ -125,17 +134,24 @@ def material(
     without: Sequence[str],
     taught: bool,
     careful_worth: float = CAREFUL_WORTH,
+    alone_worth: Mapping[str, float] = ALONE_WORTH,
 ) -> Material:
     """All directed lines; those that were read several times have the mean of their readings. Kinds named in `without`
     are left out of both parts."""
     second, careful = second_readings(), careful_readings()
+    alone = {channel: channel_readings(channel) for channel in CHANNELS}
     lines = [
         each for line in read_lines(directing) if line.source not in without and (each := encoded(line, vocabulary))
     ]
     by_three = {name for name, readings in careful.items() if len(readings) == DIRECTORS}
     held_out = {each.line.name for each in lines if is_held_out(each.line)} | by_three
     read = [
-        _read_with_care(_read_twice(each, second, vocabulary), careful, vocabulary, careful_worth) for each in lines
+        _read_alone(
+            _read_with_care(_read_twice(each, second, vocabulary), careful, vocabulary, careful_worth),
+            {channel: readings.get(each.line.name, ()) for channel, readings in alone.items()},
+            alone_worth,
+        )
+        for each in lines
     ]
     return Material(
         kept=[each for each in read if each.line.name not in held_out],
@@ -178,6 +194,16 @@ def _read_with_care(
         wanted=np.asarray(worth * wanted + (1 - worth) * each.wanted, np.float32),
         counts=np.asarray(counts, np.float32),
     )
+
+
+def _read_alone(each: Encoded, alone: Mapping[str, Sequence[ChannelReading]], worth: Mapping[str, float]) -> Encoded:
+    """A line whose head movements and faces are drawn for `worth` of their way to those that were read alone."""
+    wanted = each.wanted.copy()
+    for channel, readings in alone.items():
+        if readings:
+            own = wanted[:, CHANNELS[channel]]
+            own += worth[channel] * (asked_by(readings, channel, len(each.ends)) - own)
+    return replace(each, wanted=wanted)
 
 
 def calibrate(reader: Reader, given: Material) -> SingleArray:
@@ -347,6 +373,7 @@ def main() -> None:
             without=arguments.without,
             taught=not alone,
             careful_worth=arguments.careful_worth,
+            alone_worth={"head": arguments.heads_alone, "face": arguments.faces_alone},
         ),
         quick_share=arguments.quick_share,
         other_share=arguments.other_share,
@@ -377,6 +404,8 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--other-share", type=float, default=1.0, help="in how many epochs lines read without care are")
     parser.add_argument("--delivery-share", type=float, default=1.0, help="in how many epochs deliveries are")
     parser.add_argument("--careful-worth", type=float, default=CAREFUL_WORTH, help="what readings made with care count")
+    for channel, worth in ALONE_WORTH.items():
+        parser.add_argument(f"--{channel}s-alone", type=float, default=worth, help=f"what {channel}s read alone count")
     parser.add_argument("--pace", type=float, default=1.0, help="a factor of the learning rates")
     parser.add_argument("--dropout", type=float, default=DROPOUT, help="the share of the states that is left out")
     arguments = parser.parse_args()

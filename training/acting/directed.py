@@ -19,9 +19,9 @@ import numpy as np
 from understudy.model import SingleArray
 
 OWN = Path(__file__).parent / "lines"
-SECOND, CAREFUL = OWN / "second", OWN / "careful"
-"""Second readings, and readings that were made with more care, of lines that are elsewhere; they are no further
-lines."""
+SECOND, CAREFUL, FACES, HEADS = (OWN / folder for folder in ("second", "careful", "faces", "heads"))
+"""Second readings, readings that were made with more care, and readings of faces and of heads alone, of lines that are
+elsewhere; they are no further lines."""
 
 CHOICE_WORTH = (1.0, 0.5, 0.25)
 """What a director's first, second and third choice are worth (../shared/directing/score.py)."""
@@ -106,7 +106,8 @@ def read_lines(directing: Path) -> list[DirectedLine]:
     """The single readings of the folder `directing`, and our own, without the second readings."""
     words = {record["id"]: _words(record) for record in _records(directing / "directed-lines.jsonl")}
     lines = [DirectedLine(each["id"], words[each["id"]], each) for each in _records(directing / "directed.jsonl")]
-    for path in sorted(set(OWN.glob("**/*.jsonl")) - set(SECOND.rglob("*.jsonl")) - set(CAREFUL.rglob("*.jsonl"))):
+    again = {path for folder in (SECOND, CAREFUL, FACES, HEADS) for path in folder.rglob("*.jsonl")}
+    for path in sorted(set(OWN.glob("**/*.jsonl")) - again):
         lines += read_file(path, careful=path.stem not in FIRST_OWN)
     for path in sorted((directing / "more").glob("*.jsonl")):
         lines += read_file(path, careful=True)

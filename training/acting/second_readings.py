@@ -13,7 +13,7 @@ import random
 import subprocess
 import sys
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import chain
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -76,11 +76,11 @@ def _files_of(kind: str) -> list[Path]:
     return sorted(OWN.glob(f"{kind}_[12].jsonl"))
 
 
-def _agreement(pairs: list[tuple[dict[str, Any], dict[str, Any]]], score: Path) -> str:
-    """What the scorer says of the two readings, each judged by the other."""
+def agreement(read: Sequence[Sequence[dict[str, Any]]], score: Path) -> str:
+    """What the scorer says of the readings of each line, each judged by the others."""
     with TemporaryDirectory() as folder:
-        paths = [Path(folder) / name for name in ("first.jsonl", "second.jsonl")]
-        for path, readings in zip(paths, zip(*pairs, strict=True), strict=True):
+        paths = [Path(folder) / f"{number}.jsonl" for number, _ in enumerate(read[0], 1)]
+        for path, readings in zip(paths, zip(*read, strict=True), strict=True):
             path.write_text("".join(f"{json.dumps(each)}\n" for each in readings), encoding="utf-8")
         command = [sys.executable, str(score), "agree", *map(str, paths)]
         return subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
@@ -88,9 +88,9 @@ def _agreement(pairs: list[tuple[dict[str, Any], dict[str, Any]]], score: Path) 
 
 def _agree(score: Path) -> None:
     pairs = {kind: found for kind in KINDS if (found := pairs_of(kind))}
-    print(_agreement([pair for found in pairs.values() for pair in found], score))
+    print(agreement([pair for found in pairs.values() for pair in found], score))
     for kind, found in pairs.items():
-        print(f"{kind}, {len(found)} lines: {_agreement(found, score).splitlines()[-1]}")
+        print(f"{kind}, {len(found)} lines: {agreement(found, score).splitlines()[-1]}")
 
 
 def main() -> None:

@@ -3,8 +3,9 @@
     python -m training.acting.thresholds CASES.pkl [--weights models/acting/weights.json]
 
 CASES are those of `training/acting/held_out.py`: lines that the reader was not trained on, by their words alone and as
-they were heard; those of them count that three directors read with care (`lines/careful/`). As in score.py, what two of
-them name is asked for, and what any names is right. Movements are to be made rather than missed. Those that say
+they were heard; those of them count that were read three times for head and face alone (`lines/heads/`,
+`lines/faces/`), by readers who name as few movements as the directors of ../shared/directing. As in score.py, what two
+of them name is asked for, and what any names is right. Movements are to be made rather than missed. Those that say
 something of their own, a shake, a smile or a frown, say the contrary of what is meant where they are wrong: they are
 made where their F is best (for a shake one that weighs what is missed), if they are right often enough and, of faces,
 no more are made than any director has. Prints, for each kind and way of giving a line, how many stretches of lines have
@@ -26,6 +27,7 @@ from understudy.behavior.reading.encoder import Delivery, Encoder
 from understudy.model import SingleArray
 
 from .cases import Case
+from .channel_readings import as_moments, channel_readings
 from .directed import FACE, FAMILIES, HEAD, DirectedLine, targets_of
 from .second_readings import readings_by_three
 
@@ -128,20 +130,26 @@ def _threshold(found: Stretches, place: int) -> float:
     return round(best[1], 2)
 
 
-def readings_of(
-    cases: Sequence[Case], careful: Mapping[str, Sequence[dict[str, Any]]], encoder: Encoder
-) -> tuple[Sequence[Readings], dict[str, SingleArray]]:
-    """Cases that were read with care, as lines with names of their own, and what is read of each (W, outputs)."""
-    lines: list[Readings] = []
+def readings_of(cases: Sequence[Case], encoder: Encoder) -> dict[str, SingleArray]:
+    """What is read of each case (W, outputs), by its own name."""
     readings: dict[str, SingleArray] = {}
     for case in cases:
         utterance = case.analysis.utterance
         read = encoder.read([word.text for word in utterance.words], Delivery.of(utterance))
-        line = replace(case.line, name=f"{case.line.name}, {case.way}")
         parts = (read.at_word, read.nearby, read.stroke[:, None], read.head, read.face, read.gaze)
-        lines.append([replace(line, reading=each) for each in careful[case.line.name]])
-        readings[line.name] = np.concatenate(parts, axis=1)
-    return lines, readings
+        readings[_name_of(case)] = np.concatenate(parts, axis=1)
+    return readings
+
+
+def read_by(directors: Mapping[str, Sequence[dict[str, Any]]], cases: Sequence[Case]) -> Sequence[Readings]:
+    """Each case as several directors read its line."""
+    return [
+        [replace(case.line, name=_name_of(case), reading=each) for each in directors[case.line.name]] for case in cases
+    ]
+
+
+def _name_of(case: Case) -> str:
+    return f"{case.line.name}, {case.way}"
 
 
 def _tell(found: Stretches, chosen: Mapping[str, float], way: str) -> None:
@@ -160,11 +168,14 @@ def main() -> None:
     parser.add_argument("cases", type=Path)
     parser.add_argument("--weights", type=Path, default=Path("models/acting/weights.json"))
     arguments = parser.parse_args()
-    careful = readings_by_three()
-    cases = [case for case in pickle.loads(arguments.cases.read_bytes()) if case.line.name in careful]
-    read, readings = readings_of(cases, careful, Encoder.load(arguments.weights.parent / "encoder.onnx"))
+    by_channel = {channel: channel_readings(channel) for channel in ("head", "face")}
+    by_three = [name for name in readings_by_three() if all(name in each for each in by_channel.values())]
+    cases = [case for case in pickle.loads(arguments.cases.read_bytes()) if case.line.name in by_three]
+    readings = readings_of(cases, Encoder.load(arguments.weights.parent / "encoder.onnx"))
     written = json.loads(arguments.weights.read_text(encoding="utf-8"))
-    for channel in ("head", "face"):
+    for channel, directors in by_channel.items():
+        moments = {name: [as_moments(each, channel) for each in directors[name]] for name in by_three}
+        read = read_by(moments, cases)
         written[channel] = thresholds(read, readings, channel)
         for way in dict.fromkeys(case.way for case in cases):
             own = [lines for lines, case in zip(read, cases, strict=True) if case.way == way]
