@@ -10,17 +10,18 @@ both readings, and every target is drawn for `TAUGHT` of its way to what the shi
 reading is one opinion of many, and what was learnt from thousands of other lines is not to be lost. Where a line was
 read with care (`lines/careful/`), these readings count `--careful-worth` of the whole, the others the rest, and less is
 taught (`TAUGHT_CAREFUL`); of its head and face those readings that are of them alone (`lines/heads/`, `lines/faces/`)
-count `--heads-alone` and `--faces-alone`. With `--other-share` each epoch has only that share of all other lines. Some lines are cut at
-the end of a sentence, some are joined, and some pieces are hidden, so that the reader depends on none. The rate falls
-to nearly 0 within the given time; OUT gets the running mean of the weights. With `--from` it begins with a model of
-before (the last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody teaches
-it, but for `--taught`: what it has never been shown of the kinds `--without` can then be measured. One that has read
-the careful readings learns less from them a second time: the last that had not is that of commit 60175ecb. What is
-heard of a delivery is guessed, or drawn from what was measured in recordings (`training/acting/recordings.py`); only
-then, and where nobody teaches, are the weights of what is heard trained too. With `--quick-share` each epoch has only
-that share of the lines of `QUICK`, with `--delivery-share` that of the deliveries, whose words come two to four times
-in an epoch otherwise. An eighth of the lines is held out, as in `training/acting/encoder.py`, whose needs it has, and
-all that three directors read; told is the loss on those of them that were read with care.
+count `--heads-alone` and `--faces-alone`. With `--other-share` each epoch has only that share of all other lines. Some
+lines are cut at the end of a sentence, some are joined, and some pieces are hidden, so that the reader depends on none.
+The rate falls to nearly 0 within the given time; OUT gets the running mean of the weights. With `--from` it begins with
+a model of before (the last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody
+teaches it, but for `--taught`: what it has never been shown of the kinds `--without` can then be measured. One that has
+read the careful readings learns less from them a second time: the last that had not is that of commit 60175ecb. Who
+teaches is the shipped reader or `--teacher`. What is heard of a delivery is guessed, or drawn from what was measured in
+recordings (`training/acting/recordings.py`); only then, and where nobody teaches, are the weights of what is heard
+trained too. With `--quick-share` each epoch has only that share of the lines of `QUICK`, with `--delivery-share` that
+of the deliveries, whose words come two to four times in an epoch otherwise. An eighth of the lines is held out, as in
+`training/acting/encoder.py`, whose needs it has, and all that three directors read; told is the loss on those of them
+that were read with care.
 """
 
 import argparse
@@ -132,7 +133,7 @@ def material(
     measured: Path | None,
     *,
     without: Sequence[str],
-    taught: bool,
+    teacher: Path | None,
     careful_worth: float = CAREFUL_WORTH,
     alone_worth: Mapping[str, float] = ALONE_WORTH,
 ) -> Material:
@@ -158,7 +159,7 @@ def material(
         checked=[each for each in read if each.line.name in held_out and each.line.name in careful],
         voices=voices_of(read_measured(measured) if measured else {}, (each.line for each in lines)),
         vocabulary=vocabulary,
-        teacher=Encoder.load(SHIPPED) if taught else None,
+        teacher=Encoder.load(teacher) if teacher else None,
         with_care=frozenset(careful),
     )
 
@@ -371,7 +372,7 @@ def main() -> None:
             vocabulary,
             arguments.measured,
             without=arguments.without,
-            taught=not alone,
+            teacher=None if alone else arguments.teacher,
             careful_worth=arguments.careful_worth,
             alone_worth={"head": arguments.heads_alone, "face": arguments.faces_alone},
         ),
@@ -398,7 +399,8 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument(
         "--from", dest="start", type=Path, help="a model of before, which nobody teaches but for --taught"
     )
-    parser.add_argument("--taught", action="store_true", help="the shipped reader teaches the model of before too")
+    parser.add_argument("--taught", action="store_true", help="the teacher teaches the model of before too")
+    parser.add_argument("--teacher", type=Path, default=SHIPPED, help="a model that teaches instead of the shipped one")
     parser.add_argument("--without", nargs="+", default=[], help="kinds of lines that are left out")
     parser.add_argument("--quick-share", type=float, default=1.0, help="in how many epochs quickly read lines are")
     parser.add_argument("--other-share", type=float, default=1.0, help="in how many epochs lines read without care are")
@@ -410,7 +412,7 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--dropout", type=float, default=DROPOUT, help="the share of the states that is left out")
     arguments = parser.parse_args()
     if arguments.taught and not arguments.start:
-        parser.error("--taught goes with --from: the shipped reader is taught by itself without it")
+        parser.error("--taught goes with --from: without it the reader is always taught")
     return arguments
 
 
