@@ -1,7 +1,7 @@
 """Agreement with directors on held-out lines of each kind, by the words alone.
 
     python -m benchmarks.behavior.kinds [--directing FOLDER] [--written 3] [--reader MODEL.onnx --of KIND …]
-        [--twice | --with-care] [--record]
+        [--twice | --with-care | --read-alone] [--record]
 
 Performs the carefully directed lines that no reader was trained on (`training.acting.directed.is_held_out`; their kinds
 were), each word with a usual duration, and scores them with score.py of the folder against the one reading that each
@@ -10,7 +10,9 @@ not: those that were written after a `--reader` was trained are as new to it. Wi
 these kinds, or with both all lines of these kinds in that series; `--reader` is a reader that was trained without them.
 With `--twice` only lines with a second reading count, and both readings do: what both name is asked for, what either
 names is right. With `--with-care` the lines that three directors read with care (`training/acting/lines/careful`) are
-scored against these alone, as the 78 lines are.
+scored against these alone, as the 78 lines are. With `--read-alone` the heads and faces of these lines are scored
+against three readings of head or face alone (`training/acting/channel_readings.py`), whose readers name as few as the
+directors of the 78 lines do; their hands are not.
 """
 
 import argparse
@@ -28,9 +30,10 @@ from typing import Any, TypeAlias
 from benchmarks.behavior.agreement import Bars, agreement, record_all
 from benchmarks.behavior.directing import gestures_of, load_score, others_of
 from benchmarks.figures import add_record_option
+from training.acting.channel_readings import as_moments, channel_readings
 from training.acting.directed import DirectedLine, is_held_out, read_lines
 from training.acting.held_out import timed
-from training.acting.second_readings import readings_by_three, second_readings
+from training.acting.second_readings import DIRECTORS, readings_by_three, second_readings
 from understudy.behavior.reading.encoder import Encoder
 from understudy.library.language import find_functions
 from understudy.models import Understudy
@@ -41,6 +44,7 @@ from understudy.settings import Settings
 DRAWN_EVERY = 6
 
 BARS: Bars = {"F": ("≥ 0.52", "≥ 0.60"), "head done": (None, None), "face done": (None, None)}
+READ_ALONE: Bars = dict.fromkeys(("head done", "face done", "tones right"), (None, None))
 
 
 Readings: TypeAlias = Mapping[tuple[str, tuple[str, ...]], Sequence[DirectedLine]]
@@ -73,6 +77,21 @@ def read_with_care(readings: Readings) -> Readings:
         line: [replace(first, reading=each) for each in careful[first.name]]
         for line, (first, *_others) in readings.items()
         if first.name in careful
+    }
+
+
+def read_alone(readings: Readings) -> Readings:
+    """The lines whose head and face three readers read alone, with these readings."""
+    heads, faces = channel_readings("head"), channel_readings("face")
+    return {
+        line: [
+            replace(
+                first, reading={"moments": as_moments(head, "head")["moments"] + as_moments(face, "face")["moments"]}
+            )
+            for head, face in zip(heads[first.name], faces[first.name], strict=True)
+        ]
+        for line, (first, *_others) in readings.items()
+        if min(len(heads.get(first.name, ())), len(faces.get(first.name, ()))) == DIRECTORS
     }
 
 
@@ -132,6 +151,7 @@ def main() -> None:
     against = parser.add_mutually_exclusive_group()
     against.add_argument("--twice", action="store_true", help="score against two readings")
     against.add_argument("--with-care", action="store_true", help="score against three careful readings")
+    against.add_argument("--read-alone", action="store_true", help="score heads and faces against those who name few")
     add_record_option(parser)
     options = parser.parse_args()
     among: Callable[[DirectedLine], bool] = is_held_out
@@ -145,9 +165,11 @@ def main() -> None:
         readings, read = with_second(readings), "two readings"
     elif options.with_care:
         readings, read = read_with_care(readings), "three careful readings"
+    elif options.read_alone:
+        readings, read = read_alone(readings), "head and face read alone"
     figures = measure(options.directing, readings, options.reader)
     if options.record and among is is_held_out:
-        record_all(f"held-out lines of known kinds, {read}", figures, BARS)
+        record_all(f"held-out lines of known kinds, {read}", figures, READ_ALONE if options.read_alone else BARS)
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
     python -m training.acting.annealing OUT.npz --quick-share 0.3 [--other-share 0.25] [--careful-worth 0.8]
     python -m training.acting.annealing OUT.npz --from MODEL.onnx --taught --pace 7 [--delivery-share 0.5]
     python -m training.acting.annealing OUT.npz --from MODEL.onnx --without npc previs [--pace 2]
+    python -m training.acting.annealing OUT.npz --only face --pace 3 --minutes 4
 
 It begins with the shipped weights. Where a line was read twice (`lines/second/`), it is trained towards the mean of
 both readings, and every target is drawn for `TAUGHT` of its way to what the shipped reader makes of the same line: one
@@ -16,7 +17,8 @@ The rate falls to nearly 0 within the given time; OUT gets the running mean of t
 a model of before (the last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody
 teaches it, but for `--taught`: what it has never been shown of the kinds `--without` can then be measured. One that has
 read the careful readings learns less from them a second time: the last that had not is that of commit 60175ecb. Who
-teaches is the shipped reader or `--teacher`. What is heard of a delivery is guessed, or drawn from what was measured in
+teaches is the shipped reader or `--teacher`. With `--only` nothing changes but the outputs of head or face, and nobody
+teaches. What is heard of a delivery is guessed, or drawn from what was measured in
 recordings (`training/acting/recordings.py`); only then, and where nobody teaches, are the weights of what is heard
 trained too. With `--quick-share` each epoch has only that share of the lines of `QUICK`, with `--delivery-share` that
 of the deliveries, whose words come two to four times in an epoch otherwise. An eighth of the lines is held out, as in
@@ -65,6 +67,7 @@ RATE, OUTPUT_FACTOR, EMBEDDING_FACTOR, LAYER_FACTOR = 5e-5, 4.0, 0.4, 0.85
 """Of the last layer; of the outputs and of the embeddings beside it; of each layer beside the one above it."""
 
 LAYERS = 6
+OUTPUT_WEIGHTS = ("out", "out/bias", "direct")
 WARM_UP_STEPS, LEAST_RATE = 40, 0.02
 TAUGHT, OLD_SHARE, CUT, JOINED = 0.3, 0.3, 0.12, 0.08
 CAREFUL_WORTH, TAUGHT_CAREFUL, TAUGHT_OTHERS = 1.0, 0.25, 0.6
@@ -80,7 +83,7 @@ OTHER_CHANNELS = sum(SIZES[:3])
 CHANNELS = {"head": slice(sum(SIZES[:3]), sum(SIZES[:4])), "face": slice(sum(SIZES[:4]), sum(SIZES[:5]))}
 """Where head movements and faces are among the outputs."""
 
-ALONE_WORTH = MappingProxyType({"head": 0.5, "face": 1.0})
+ALONE_WORTH = MappingProxyType({"head": 1.0, "face": 1.0})
 """What readings of head and face alone count; those of the whole body count the rest."""
 
 QUICK = re.compile("[a-z]+[56]-")
@@ -229,6 +232,17 @@ def calibrate(reader: Reader, given: Material) -> SingleArray:
     return more
 
 
+def train_only(reader: Reader, channels: Sequence[str]) -> None:
+    """Leaves all weights as they are but those that give the outputs of `channels`."""
+    trained = torch.zeros(OUTPUTS)
+    for channel in channels:
+        trained[CHANNELS[channel]] = 1
+    for name, each in reader.weights.items():
+        each.requires_grad_(name in OUTPUT_WEIGHTS)
+        if name in OUTPUT_WEIGHTS:
+            each.register_hook(lambda gradient: gradient * trained.view(-1, *[1] * (gradient.ndim - 1)))
+
+
 def anneal(reader: Reader, given: Material, minutes: float, seed: int, *, pace: float = 1.0) -> Mapping[str, Tensor]:
     """Trains for that time; the running mean of the weights."""
     chance = random.Random(seed)
@@ -319,7 +333,7 @@ def _optimizer(reader: Reader, pace: float) -> torch.optim.Optimizer:
         layer = name.split("/")[0].split(".")[0]
         if not each.requires_grad:
             continue
-        if name in ("out", "out/bias", "direct"):
+        if name in OUTPUT_WEIGHTS:
             key = (OUTPUT_FACTOR * RATE, 0.0)
         elif layer.isdecimal():
             decayed = each.ndim > 1 and not name.endswith("norm")
@@ -364,8 +378,10 @@ def main() -> None:
     torch.manual_seed(arguments.seed)
     weights, vocabulary = starting_weights(arguments.start or SHIPPED)
     reader = Reader(weights, dropout=arguments.dropout)
-    alone = arguments.start is not None and not arguments.taught
+    alone = bool(arguments.only) or (arguments.start is not None and not arguments.taught)
     reader.weights["heard"].requires_grad_(arguments.measured is not None or alone)
+    if arguments.only:
+        train_only(reader, arguments.only)
     given = replace(
         material(
             arguments.directing,
@@ -381,7 +397,7 @@ def main() -> None:
         delivery_share=arguments.delivery_share,
     )
     print(f"{len(given.kept)} lines, {len(given.with_care)} read with care; {len(given.checked)} held out", flush=True)
-    if given.with_care and not arguments.without:
+    if given.with_care and not arguments.without and not arguments.only:
         more = calibrate(reader, given)
         given = given if arguments.start else replace(given, more=more)
         print(f"calibrated: {_held_out(reader, dict(reader.weights), given)}", flush=True)
@@ -401,6 +417,9 @@ def _arguments() -> argparse.Namespace:
     )
     parser.add_argument("--taught", action="store_true", help="the teacher teaches the model of before too")
     parser.add_argument("--teacher", type=Path, default=SHIPPED, help="a model that teaches instead of the shipped one")
+    parser.add_argument(
+        "--only", nargs="+", choices=CHANNELS, default=[], help="channels whose outputs alone are trained"
+    )
     parser.add_argument("--without", nargs="+", default=[], help="kinds of lines that are left out")
     parser.add_argument("--quick-share", type=float, default=1.0, help="in how many epochs quickly read lines are")
     parser.add_argument("--other-share", type=float, default=1.0, help="in how many epochs lines read without care are")

@@ -3,13 +3,14 @@
     python -m training.acting.thresholds CASES.pkl [--weights models/acting/weights.json]
 
 CASES are those of `training/acting/held_out.py`: lines that the reader was not trained on, by their words alone and as
-they were heard; those of them count that were read three times for head and face alone (`lines/heads/`,
-`lines/faces/`), by readers who name as few movements as the directors of ../shared/directing. As in score.py, what two
-of them name is asked for, and what any names is right. Movements are to be made rather than missed. Those that say
-something of their own, a shake, a smile or a frown, say the contrary of what is meant where they are wrong: they are
-made where their F is best (for a shake one that weighs what is missed), if they are right often enough and, of faces,
-no more are made than any director has. Prints, for each kind and way of giving a line, how many stretches of lines have
-it and how many of them get it, and how many of those that get it have it; and writes the thresholds among the weights.
+they were heard. Head movements count by what three directors wanted who read these lines with care (`lines/careful/`),
+faces by three readers of the face alone (`lines/faces/`), who name as few as the directors of ../shared/directing. As
+in score.py, what two of them name is asked for, and what any names is right. Movements are to be made rather than
+missed. Those that say something of their own, a shake, a smile or a frown, say the contrary of what is meant where they
+are wrong: they are made where an F that weighs what is missed is best, if they are right often enough and, of most
+faces, no more are made than any reader has. Prints, for each kind and way of giving a line, how many stretches of lines
+have it and how many of them get it, and how many of those that get it have it; and writes the thresholds among the
+weights.
 """
 
 import argparse
@@ -37,35 +38,33 @@ Readings: TypeAlias = Sequence[DirectedLine]
 READ_AS = {"squint": "frown"}
 """What an audience reads in a face, where that is not what it is called."""
 
-LEAST_LIKELY = 0.15
-"""No movement is made that is less likely wanted: it would be one among many that mean nothing."""
+LEAST_LIKELY = {"head": 0.15, "face": 0.1}
+"""No movement is made that is less likely wanted: it would be one among many that mean nothing. Readers of the face
+alone name half as many."""
 
-NO_MORE_THAN_NAMED = frozenset(("smile", "frown", "squint", "sad", "disgust"))
-"""Faces of which no more are made than any director names."""
+NO_MORE_THAN_NAMED = frozenset(("frown", "squint", "sad", "disgust"))
+"""Faces of which no more are made than any reader names."""
 
 NEVER = 0.5
 """A face that is never made by the reading alone needs this; an author's weight of some 6 to 8 reaches it."""
+
 FEWEST = 20
 """On fewer stretches than this nothing can be told."""
 
 BETA = 3.0
 """How much more it matters that a movement is made than that a director wants it."""
 
-TONED_BETA = {"shake": 2.0}
+TONED_BETA = dict.fromkeys(("shake", "smile", "frown", "sad", "lips_pressed"), 2.0)
 """The same of a movement that says something of its own; 1 where it is not named. A denial without its shake is missed
-by everybody, and shakes are right more often than faces."""
+by everybody."""
 
 LEAST_RIGHT = {
     "shake": 0.85,
-    "still": 0.5,
-    **dict.fromkeys(("lips_pressed", "wide_eyes"), 0.55),
-    **dict.fromkeys(("smile", "squint", "sad", "disgust"), 0.6),
-    "frown": 0.7,
+    **dict.fromkeys(("still", "wide_eyes", "smile", "frown", "squint", "sad", "disgust"), 0.5),
+    "lips_pressed": 0.4,
 }
-"""How often movements that say something of their own must be what some director wanted, and faces that are easily too
-many. A wrong shake denies what is said. A frown that had to be right in .6 came on a fifth of the acted clips of happy
-voices, whose words say nothing (`python -m benchmarks.behavior.acted_faces`); what .7 takes away is a hundredth of the
-faces that are done on held-out lines."""
+"""How often movements that say something of their own must be what some director or reader wanted, and faces that are
+easily too many. A wrong shake denies what is said."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -100,7 +99,7 @@ def stretches(read: Sequence[Readings], readings: Mapping[str, SingleArray], cha
 def thresholds(read: Sequence[Readings], readings: Mapping[str, SingleArray], channel: str) -> dict[str, float]:
     """The thresholds of all kinds of a channel."""
     found = stretches(read, readings, channel)
-    return {kind: _threshold(found, place) for place, kind in enumerate(found.kinds)}
+    return {kind: _threshold(found, place, LEAST_LIKELY[channel]) for place, kind in enumerate(found.kinds)}
 
 
 def read_readings(path: Path) -> dict[str, SingleArray]:
@@ -109,13 +108,13 @@ def read_readings(path: Path) -> dict[str, SingleArray]:
         return {name: stored[name].astype(np.float32) for name in stored.files}
 
 
-def _threshold(found: Stretches, place: int) -> float:
-    """The level of a stretch from which a movement is made: with F_beta on stretches at its best, for a toned one with
-    F, where it is right often enough; never where it is not."""
+def _threshold(found: Stretches, place: int, least: float) -> float:
+    """The level of a stretch, `least` or more, from which a movement is made: with F_beta on stretches at its best, where
+    it is right often enough; never where it is not."""
     kind, asked, named = found.kinds[place], found.asked[:, place], found.named[:, place]
     beta = TONED_BETA.get(kind, 1.0) if kind in LEAST_RIGHT else BETA
     best = (0.0, NEVER)
-    for threshold in np.arange(LEAST_LIKELY, NEVER, 0.02):
+    for threshold in np.arange(least, NEVER, 0.02):
         made = found.level[:, place] >= threshold
         right, done = (
             float((made * named).sum()) / max(made.sum(), 1),
@@ -168,14 +167,16 @@ def main() -> None:
     parser.add_argument("cases", type=Path)
     parser.add_argument("--weights", type=Path, default=Path("models/acting/weights.json"))
     arguments = parser.parse_args()
-    by_channel = {channel: channel_readings(channel) for channel in ("head", "face")}
-    by_three = [name for name in readings_by_three() if all(name in each for each in by_channel.values())]
-    cases = [case for case in pickle.loads(arguments.cases.read_bytes()) if case.line.name in by_three]
+    careful, faces = readings_by_three(), channel_readings("face")
+    cases = [case for case in pickle.loads(arguments.cases.read_bytes()) if case.line.name in careful]
+    by_channel = {
+        "head": careful,
+        "face": {name: [as_moments(each, "face") for each in faces[name]] for name in careful},
+    }
     readings = readings_of(cases, Encoder.load(arguments.weights.parent / "encoder.onnx"))
     written = json.loads(arguments.weights.read_text(encoding="utf-8"))
     for channel, directors in by_channel.items():
-        moments = {name: [as_moments(each, channel) for each in directors[name]] for name in by_three}
-        read = read_by(moments, cases)
+        read = read_by(directors, cases)
         written[channel] = thresholds(read, readings, channel)
         for way in dict.fromkeys(case.way for case in cases):
             own = [lines for lines, case in zip(read, cases, strict=True) if case.way == way]
