@@ -54,14 +54,13 @@ FEWEST = 20
 BETA = 3.0
 """How much more it matters that a movement is made than that a director wants it."""
 
-TONED_BETA = dict.fromkeys(("shake", "smile", "frown", "sad", "lips_pressed"), 2.0)
-"""The same of a movement that says something of its own; 1 where it is not named. A denial without its shake is missed
-by everybody."""
+OWN_BETA = {"shake": 2.0, "still": 1.0}
+"""The same of head movements that say something of their own."""
 
 LEAST_RIGHT = {
     "shake": 0.85,
     **dict.fromkeys(("still", "wide_eyes", "smile", "frown", "squint", "sad", "disgust"), 0.5),
-    "lips_pressed": 0.4,
+    "lips_pressed": 0.35,
 }
 """How often movements that say something of their own must be what some director or reader wanted, and faces that are
 easily too many. A wrong shake denies what is said."""
@@ -109,10 +108,10 @@ def read_readings(path: Path) -> dict[str, SingleArray]:
 
 
 def _threshold(found: Stretches, place: int, least: float) -> float:
-    """The level of a stretch, `least` or more, from which a movement is made: with F_beta on stretches at its best, where
-    it is right often enough; never where it is not."""
+    """The level of a stretch, `least` or more, from which a movement is made: F_beta on stretches is best there, and it
+    is right often enough; never where it is not."""
     kind, asked, named = found.kinds[place], found.asked[:, place], found.named[:, place]
-    beta = TONED_BETA.get(kind, 1.0) if kind in LEAST_RIGHT else BETA
+    beta = OWN_BETA.get(kind, BETA)
     best = (0.0, NEVER)
     for threshold in np.arange(least, NEVER, 0.02):
         made = found.level[:, place] >= threshold
