@@ -28,24 +28,20 @@ that were read with care.
 
 import argparse
 import random
-import re
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from types import MappingProxyType
-from typing import Any
 
 import numpy as np
 import torch
 from torch import Tensor, nn
 
-from understudy.behavior.reading.encoder import WORDS_ALONE, Delivery, Encoder
+from understudy.behavior.reading.encoder import WORDS_ALONE, Delivery
 from understudy.model import SingleArray
 
 from .augmentation import cut, joined, with_hidden
-from .channel_readings import ChannelReading, asked_by, channel_readings
-from .directed import MANNER, OUTPUTS, DirectedLine, is_held_out, read_lines
+from .directed import MANNER, OUTPUTS
 from .encoder import (
     BATCH,
     SHIPPED,
@@ -53,15 +49,13 @@ from .encoder import (
     WEIGHT_DECAY,
     Encoded,
     batches_of,
-    encoded,
     inputs_of,
     loss_of,
     starting_weights,
 )
-from .listening import Voices, as_written, heard, voices_of
+from .listening import as_written, heard
+from .material import ALONE_WORTH, CAREFUL_WORTH, CHANNELS, Material, material
 from .network import Reader
-from .recordings import read_measured
-from .second_readings import DIRECTORS, careful_readings, second_readings
 
 RATE, OUTPUT_FACTOR, EMBEDDING_FACTOR, LAYER_FACTOR = 5e-5, 4.0, 0.4, 0.85
 """Of the last layer; of the outputs and of the embeddings beside it; of each layer beside the one above it."""
@@ -69,145 +63,19 @@ RATE, OUTPUT_FACTOR, EMBEDDING_FACTOR, LAYER_FACTOR = 5e-5, 4.0, 0.4, 0.85
 LAYERS = 6
 OUTPUT_WEIGHTS = ("out", "out/bias", "direct")
 WARM_UP_STEPS, LEAST_RATE = 40, 0.02
-TAUGHT, OLD_SHARE, CUT, JOINED = 0.3, 0.3, 0.12, 0.08
-CAREFUL_WORTH, TAUGHT_CAREFUL, TAUGHT_OTHERS = 1.0, 0.25, 0.6
+CUT, JOINED = 0.12, 0.08
 SHORT_PIECES = 30
 DROPOUT = 0.0
 """What helps where a network learns anew takes away here: the reader begins near its end. With 10,555 careful lines and
 --pace 3 the loss on held-out lines is at best 5.97 with .1, 5.96 with .03 and 5.94 without."""
 
 MEAN_OF_STEPS = 100
-OTHER_CHANNELS = sum(SIZES[:3])
-"""The first output that is not of the hands."""
-
-CHANNELS = {"head": slice(sum(SIZES[:3]), sum(SIZES[:4])), "face": slice(sum(SIZES[:4]), sum(SIZES[:5]))}
-"""Where head movements and faces are among the outputs."""
-
-ALONE_WORTH = MappingProxyType({"head": 1.0, "face": 1.0})
-"""What readings of head and face alone count; those of the whole body count the rest."""
-
-QUICK = re.compile("[a-z]+[56]-")
-"""The names of the lines of two series that their readers directed very quickly (`lines/README.md`)."""
-
 TOLD_EVERY_S = 240.0
 CALIBRATED_BY, FEW = 1600, 6.0
 """The lines by which biases are set at the start, and what is added to both sums of an output."""
 
 Told = tuple[Encoded, Delivery]
 """A line, and what is heard of it."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Material:
-    """The lines that are trained on and those held out that were read with care, what was measured in recordings, the
-    vocabulary, the shipped reader, unless nobody teaches, the names of all lines that were read with care, in how many
-    epochs the quickly read lines, all but these, and deliveries are, and by how much the teacher is calibrated."""
-
-    kept: Sequence[Encoded]
-    checked: Sequence[Encoded]
-    voices: Voices
-    vocabulary: Mapping[str, int]
-    teacher: Encoder | None
-    with_care: frozenset[str] = frozenset()
-    quick_share: float = 1.0
-    other_share: float = 1.0
-    delivery_share: float = 1.0
-    more: SingleArray | None = None
-
-    def share(self, line: DirectedLine) -> float:
-        """The share of epochs in which a line is."""
-        share = self.delivery_share if line.is_delivery else 1.0
-        if line.name in self.with_care:
-            return share
-        if not line.careful:
-            return OLD_SHARE * self.other_share
-        return share * self.other_share * (self.quick_share if QUICK.match(line.name) else 1.0)
-
-    def taught(self, line: DirectedLine) -> float:
-        """How far the targets of a line are drawn towards what the teacher reads."""
-        if not self.with_care:
-            return TAUGHT
-        return TAUGHT_CAREFUL if line.name in self.with_care else TAUGHT_OTHERS
-
-
-def material(
-    directing: Path,
-    vocabulary: Mapping[str, int],
-    measured: Path | None,
-    *,
-    without: Sequence[str],
-    teacher: Path | None,
-    careful_worth: float = CAREFUL_WORTH,
-    alone_worth: Mapping[str, float] = ALONE_WORTH,
-) -> Material:
-    """All directed lines; those that were read several times have the mean of their readings. Kinds named in `without`
-    are left out of both parts."""
-    second, careful = second_readings(), careful_readings()
-    alone = {channel: channel_readings(channel) for channel in CHANNELS}
-    lines = [
-        each for line in read_lines(directing) if line.source not in without and (each := encoded(line, vocabulary))
-    ]
-    by_three = {name for name, readings in careful.items() if len(readings) == DIRECTORS}
-    held_out = {each.line.name for each in lines if is_held_out(each.line)} | by_three
-    read = [
-        _read_alone(
-            _read_with_care(_read_twice(each, second, vocabulary), careful, vocabulary, careful_worth),
-            {channel: readings.get(each.line.name, ()) for channel, readings in alone.items()},
-            alone_worth,
-        )
-        for each in lines
-    ]
-    return Material(
-        kept=[each for each in read if each.line.name not in held_out],
-        checked=[each for each in read if each.line.name in held_out and each.line.name in careful],
-        voices=voices_of(read_measured(measured) if measured else {}, (each.line for each in lines)),
-        vocabulary=vocabulary,
-        teacher=Encoder.load(teacher) if teacher else None,
-        with_care=frozenset(careful),
-    )
-
-
-def _read_twice(each: Encoded, second: Mapping[str, dict[str, Any]], vocabulary: Mapping[str, int]) -> Encoded:
-    """A line with the mean of both readings. Where the first was not careful with heads and faces, only the second says
-    what they do, and the line is a careful one from then on."""
-    name = each.line.name
-    other = encoded(DirectedLine(name, each.line.words, second[name], True), vocabulary) if name in second else None
-    if other is None:
-        return each
-    wanted: SingleArray = np.asarray((each.wanted + other.wanted) / 2, np.float32)
-    counts: SingleArray = np.maximum(each.counts, other.counts)
-    if not each.line.careful:
-        wanted[:, OTHER_CHANNELS:] = other.wanted[:, OTHER_CHANNELS:]
-        counts[:, OTHER_CHANNELS:] = other.counts[:, OTHER_CHANNELS:]
-    return replace(each, line=replace(each.line, careful=True), wanted=wanted, counts=counts)
-
-
-def _read_with_care(
-    each: Encoded, careful: Mapping[str, list[dict[str, Any]]], vocabulary: Mapping[str, int], worth: float
-) -> Encoded:
-    """A line with the mean of the readings that were made with care, of which the others are 1 - `worth`."""
-    lines = (replace(each.line, reading=reading, careful=True) for reading in careful.get(each.line.name, ()))
-    read = [found for line in lines if (found := encoded(line, vocabulary))]
-    if not read:
-        return each
-    wanted = np.mean([one.wanted for one in read], axis=0)
-    counts = np.mean([one.counts for one in read], axis=0)
-    return replace(
-        each,
-        line=replace(each.line, careful=True),
-        wanted=np.asarray(worth * wanted + (1 - worth) * each.wanted, np.float32),
-        counts=np.asarray(counts, np.float32),
-    )
-
-
-def _read_alone(each: Encoded, alone: Mapping[str, Sequence[ChannelReading]], worth: Mapping[str, float]) -> Encoded:
-    """A line whose head movements and faces are drawn for `worth` of their way to those that were read alone."""
-    wanted = each.wanted.copy()
-    for channel, readings in alone.items():
-        if readings:
-            own = wanted[:, CHANNELS[channel]]
-            own += worth[channel] * (asked_by(readings, channel, len(each.ends)) - own)
-    return replace(each, wanted=wanted)
 
 
 def calibrate(reader: Reader, given: Material) -> SingleArray:
