@@ -5,6 +5,7 @@
     python -m training.acting.annealing OUT.npz --from MODEL.onnx --taught --pace 7 [--delivery-share 0.5]
     python -m training.acting.annealing OUT.npz --from MODEL.onnx --without npc previs [--pace 2]
     python -m training.acting.annealing OUT.npz --only face --pace 3 --minutes 4
+    python -m training.acting.annealing OUT.npz --only head face --own 2 --from MODEL.onnx --taught --pace 8
 
 It begins with the shipped weights. Where a line was read twice (`lines/second/`), it is trained towards the mean of
 both readings, and every target is drawn for `TAUGHT` of its way to what the shipped reader makes of the same line: one
@@ -17,11 +18,13 @@ The rate falls to nearly 0 within the given time; OUT gets the running mean of t
 a model of before (the last that knew no line of our kinds is models/acting/encoder.onnx of commit e589ed7d), and nobody
 teaches it, but for `--taught`: what it has never been shown of the kinds `--without` can then be measured. One that has
 read the careful readings learns less from them a second time: the last that had not is that of commit 60175ecb. Who
-teaches is the shipped reader or `--teacher`. With `--only` nothing changes but the outputs of head or face, and nobody
-teaches. What is heard of a delivery is guessed, or drawn from what was measured in
-recordings (`training/acting/recordings.py`); only then, and where nobody teaches, are the weights of what is heard
-trained too. With `--quick-share` each epoch has only that share of the lines of `QUICK`, with `--delivery-share` that
-of the deliveries, whose words come two to four times in an epoch otherwise. An eighth of the lines is held out, as in
+teaches is the shipped reader or `--teacher`, how much says `--taught-share`. With `--only` nothing changes but the
+outputs of head or face, and nobody teaches but for `--taught`; with `--own` as many last layers are trained with them,
+which begin as those of the model `--from` and stand on the first layers of the shipped one (`exporting.py` puts them
+beside its last). What is heard of a delivery is guessed, or drawn from what was measured in recordings
+(`training/acting/recordings.py`); only then, and where nobody teaches, are the weights of what is heard trained too.
+With `--quick-share` each epoch has only that share of the lines of `QUICK`, with `--delivery-share` that of the
+deliveries, whose words come two to four times in an epoch otherwise. An eighth of the lines is held out, as in
 `training/acting/encoder.py`, whose needs it has, and all that three directors read; told is the loss on those of them
 that were read with care.
 """
@@ -41,7 +44,7 @@ from understudy.behavior.reading.encoder import WORDS_ALONE, Delivery
 from understudy.model import SingleArray
 
 from .augmentation import cut, joined, with_hidden
-from .directed import MANNER, OUTPUTS
+from .directed import CHANNELS, MANNER, OUTPUTS
 from .encoder import (
     BATCH,
     SHIPPED,
@@ -53,14 +56,14 @@ from .encoder import (
     loss_of,
     starting_weights,
 )
+from .graph import TRUNK
 from .listening import as_written, heard
-from .material import ALONE_WORTH, CAREFUL_WORTH, CHANNELS, Material, material
-from .network import Reader
+from .material import ALONE_WORTH, CAREFUL_WORTH, Material, material
+from .network import Reader, head_network, layer_of, with_head_network
 
 RATE, OUTPUT_FACTOR, EMBEDDING_FACTOR, LAYER_FACTOR = 5e-5, 4.0, 0.4, 0.85
 """Of the last layer; of the outputs and of the embeddings beside it; of each layer beside the one above it."""
 
-LAYERS = 6
 OUTPUT_WEIGHTS = ("out", "out/bias", "direct")
 WARM_UP_STEPS, LEAST_RATE = 40, 0.02
 CUT, JOINED = 0.12, 0.08
@@ -91,8 +94,9 @@ def calibrate(reader: Reader, given: Material) -> SingleArray:
             batch = lines[first : first + BATCH]
             likely = torch.sigmoid(reader(*inputs_of(batch, [WORDS_ALONE] * len(batch)))).numpy()
             for each, own in zip(batch, likely, strict=True):
-                read += own[: len(each.ends), :outputs].sum(axis=0)
-                wanted += each.wanted[:, :outputs].sum(axis=0)
+                counted = each.counts[:, :outputs] > 0
+                read += (counted * own[: len(each.ends), :outputs]).sum(axis=0)
+                wanted += (counted * each.wanted[:, :outputs]).sum(axis=0)
         more = np.zeros(OUTPUTS, np.float32)
         more[:outputs] = np.log(wanted / read)
         reader.weights["out/bias"] += torch.from_numpy(more)
@@ -100,13 +104,14 @@ def calibrate(reader: Reader, given: Material) -> SingleArray:
     return more
 
 
-def train_only(reader: Reader, channels: Sequence[str]) -> None:
-    """Leaves all weights as they are but those that give the outputs of `channels`."""
+def train_only(reader: Reader, channels: Sequence[str], own: int) -> None:
+    """Leaves all weights as they are but those that give the outputs of `channels`, and the last `own` layers."""
     trained = torch.zeros(OUTPUTS)
     for channel in channels:
         trained[CHANNELS[channel]] = 1
     for name, each in reader.weights.items():
-        each.requires_grad_(name in OUTPUT_WEIGHTS)
+        of_last_layers = TRUNK - own <= layer_of(name.replace("/", ".")) < TRUNK
+        each.requires_grad_(name in OUTPUT_WEIGHTS or of_last_layers)
         if name in OUTPUT_WEIGHTS:
             each.register_hook(lambda gradient: gradient * trained.view(-1, *[1] * (gradient.ndim - 1)))
 
@@ -124,8 +129,10 @@ def anneal(reader: Reader, given: Material, minutes: float, seed: int, *, pace: 
             break
         for group, rate in zip(optimizer.param_groups, rates, strict=True):
             group["lr"] = rate * min(1.0, (step + 1) / WARM_UP_STEPS) * max(LEAST_RATE, 1 - share)
-        lines = [_taught(*each, given) for each in batch]
-        _step(reader, optimizer, loss_of(reader, lines, [told for _, told in batch]))
+        lines, told = [each for each, _ in batch], [delivery for _, delivery in batch]
+        if given.teacher:
+            lines = _taught(lines, told, given, given.teacher)
+        _step(reader, optimizer, loss_of(reader, lines, told))
         _follow(mean, reader, min(1 - 1 / MEAN_OF_STEPS, step / (step + 20)))
         if time.monotonic() - told_s > TOLD_EVERY_S:
             told_s = time.monotonic()
@@ -148,24 +155,18 @@ def _follow(mean: dict[str, Tensor], reader: Reader, decay: float) -> None:
                 mean[name].lerp_(each, 1 - decay)
 
 
-def _taught(each: Encoded, told: Delivery, given: Material) -> Encoded:
-    """The line with its targets drawn towards what the teacher reads."""
-    if given.teacher is None:
-        return each
-    reading, share = given.teacher.read(each.line.words, told), given.taught(each.line)
-    manner = np.array([(reading.size + 1) / 2, (reading.speed + 1) / 2], np.float32)
-    read = np.concatenate(
-        [
-            *(reading.at_word, reading.nearby, reading.stroke[:, None], reading.head, reading.face, reading.gaze),
-            np.broadcast_to(manner, (len(each.ends), len(MANNER))),
-        ],
-        axis=1,
-    ).astype(np.float32)
+def _taught(lines: Sequence[Encoded], told: Sequence[Delivery], given: Material, teacher: Reader) -> list[Encoded]:
+    """The lines with their targets drawn towards what the teacher reads."""
+    with torch.no_grad(), torch.autocast("cpu", torch.bfloat16):
+        logits = teacher(*inputs_of(lines, told)).numpy()
     if given.more is not None:
-        odds = np.exp(given.more) * read / np.maximum(1 - read, 1e-6)
-        read = np.asarray(odds / (1 + odds), np.float32)
-    wanted: SingleArray = np.asarray((1 - share) * each.wanted + share * read, np.float32)
-    return replace(each, wanted=wanted)
+        logits = logits + given.more
+    taught = []
+    for each, own in zip(lines, logits, strict=True):
+        share, read = given.taught(each.line), 1 / (1 + np.exp(-own[: len(each.ends)]))
+        wanted = np.asarray((1 - share) * each.wanted + share * read, np.float32)
+        taught.append(replace(each, wanted=wanted))
+    return taught
 
 
 def _endless(given: Material, chance: random.Random) -> Iterator[list[Told]]:
@@ -205,7 +206,7 @@ def _optimizer(reader: Reader, pace: float) -> torch.optim.Optimizer:
             key = (OUTPUT_FACTOR * RATE, 0.0)
         elif layer.isdecimal():
             decayed = each.ndim > 1 and not name.endswith("norm")
-            key = (RATE * LAYER_FACTOR ** (LAYERS - 1 - int(layer)), WEIGHT_DECAY if decayed else 0.0)
+            key = (RATE * LAYER_FACTOR ** max(0, TRUNK - 1 - int(layer)), WEIGHT_DECAY if decayed else 0.0)
         else:
             key = (EMBEDDING_FACTOR * RATE, 0.0)
         groups.setdefault(key, []).append(each)
@@ -245,11 +246,13 @@ def main() -> None:
     torch.set_num_threads(1)
     torch.manual_seed(arguments.seed)
     weights, vocabulary = starting_weights(arguments.start or SHIPPED)
+    if arguments.own:
+        weights = head_network(with_head_network(starting_weights(SHIPPED)[0], head_network(weights), arguments.own))
     reader = Reader(weights, dropout=arguments.dropout)
-    alone = bool(arguments.only) or (arguments.start is not None and not arguments.taught)
+    alone = not arguments.taught and (bool(arguments.only) or arguments.start is not None)
     reader.weights["heard"].requires_grad_(arguments.measured is not None or alone)
     if arguments.only:
-        train_only(reader, arguments.only)
+        train_only(reader, arguments.only, arguments.own)
     given = replace(
         material(
             arguments.directing,
@@ -258,14 +261,16 @@ def main() -> None:
             without=arguments.without,
             teacher=None if alone else arguments.teacher,
             careful_worth=arguments.careful_worth,
+            only=arguments.only,
             alone_worth={"head": arguments.heads_alone, "face": arguments.faces_alone},
         ),
         quick_share=arguments.quick_share,
         other_share=arguments.other_share,
         delivery_share=arguments.delivery_share,
+        taught_share=arguments.taught_share,
     )
     print(f"{len(given.kept)} lines, {len(given.with_care)} read with care; {len(given.checked)} held out", flush=True)
-    if given.with_care and not arguments.without and not arguments.only:
+    if given.with_care and not arguments.without and (arguments.own or not arguments.only):
         more = calibrate(reader, given)
         given = given if arguments.start else replace(given, more=more)
         print(f"calibrated: {_held_out(reader, dict(reader.weights), given)}", flush=True)
@@ -284,10 +289,12 @@ def _arguments() -> argparse.Namespace:
         "--from", dest="start", type=Path, help="a model of before, which nobody teaches but for --taught"
     )
     parser.add_argument("--taught", action="store_true", help="the teacher teaches the model of before too")
+    parser.add_argument("--taught-share", type=float, help="how far all targets are drawn towards what is taught")
     parser.add_argument("--teacher", type=Path, default=SHIPPED, help="a model that teaches instead of the shipped one")
     parser.add_argument(
         "--only", nargs="+", choices=CHANNELS, default=[], help="channels whose outputs alone are trained"
     )
+    parser.add_argument("--own", type=int, default=0, help="how many last layers the channels have for themselves")
     parser.add_argument("--without", nargs="+", default=[], help="kinds of lines that are left out")
     parser.add_argument("--quick-share", type=float, default=1.0, help="in how many epochs quickly read lines are")
     parser.add_argument("--other-share", type=float, default=1.0, help="in how many epochs lines read without care are")

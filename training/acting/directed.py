@@ -23,6 +23,9 @@ SECOND, CAREFUL, FACES, HEADS = (OWN / folder for folder in ("second", "careful"
 """Second readings, readings that were made with more care, and readings of faces and of heads alone, of lines that are
 elsewhere; they are no further lines."""
 
+ALIKE = OWN / "alike"
+"""Lines that sound alike and are felt differently, of which the face alone was read."""
+
 CHOICE_WORTH = (1.0, 0.5, 0.25)
 """What a director's first, second and third choice are worth (../shared/directing/score.py)."""
 
@@ -43,7 +46,13 @@ HEAD = ("nod", "tilt", "shake", "lean_in", "toss", "turn", "lean_back", "still")
 FACE = ("brows_up", "smile", "frown", "lips_pressed", "wide_eyes", "squint", "sad", "disgust")
 GAZE = ("listener", "away", "up", "down", "target")
 MANNER = ("size", "speed")
-OUTPUTS = 2 * len(FAMILIES) + 1 + len(HEAD) + len(FACE) + len(GAZE) + len(MANNER)
+HANDS = 2 * len(FAMILIES) + 1
+"""The outputs of the hands, which come first."""
+
+CHANNELS = {"head": slice(HANDS, HANDS + len(HEAD)), "face": slice(HANDS + len(HEAD), HANDS + len(HEAD) + len(FACE))}
+"""Where head movements and faces are among the outputs."""
+
+OUTPUTS = HANDS + len(HEAD) + len(FACE) + len(GAZE) + len(MANNER)
 
 IMPORTANCE = {1: 0.7, 2: 1.0, 3: 1.3}
 HELD_OUT_EVERY = 8
@@ -106,12 +115,18 @@ def read_lines(directing: Path) -> list[DirectedLine]:
     """The single readings of the folder `directing`, and our own, without the second readings."""
     words = {record["id"]: _words(record) for record in _records(directing / "directed-lines.jsonl")}
     lines = [DirectedLine(each["id"], words[each["id"]], each) for each in _records(directing / "directed.jsonl")]
-    again = {path for folder in (SECOND, CAREFUL, FACES, HEADS) for path in folder.rglob("*.jsonl")}
+    again = {path for folder in (SECOND, CAREFUL, FACES, HEADS, ALIKE) for path in folder.rglob("*.jsonl")}
     for path in sorted(set(OWN.glob("**/*.jsonl")) - again):
         lines += read_file(path, careful=path.stem not in FIRST_OWN)
     for path in sorted((directing / "more").glob("*.jsonl")):
         lines += read_file(path, careful=True)
     return lines
+
+
+def read_alike() -> list[DirectedLine]:
+    """The lines whose faces alone are known, without any reading of the whole body."""
+    rows = (row for path in sorted(ALIKE.glob("*.jsonl")) for row in _records(path))
+    return [DirectedLine(row["id"], tuple(row["text"].split()), {"moments": []}, careful=True) for row in rows]
 
 
 def read_file(path: Path, *, careful: bool) -> list[DirectedLine]:

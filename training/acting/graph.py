@@ -6,7 +6,7 @@ are eight-bit integers with a scale for every 128 (`MatMulNBits` of ONNX Runtime
 """
 
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -25,6 +25,11 @@ OPERATORS = 20
 
 FORMAT = 10
 ATTENTION_HEADS = 12
+
+TRUNK = 6
+"""The layers that all but head movements are read from. Those beyond stand for as many of the last of them where head
+movements are read."""
+
 EPSILON = 1e-12
 
 BITS, BLOCK = 8, 128
@@ -79,6 +84,19 @@ class _Graph:
         narrowed = self.node("Add", [states, self.linear(widened, f"{layer}.narrow")])
         return self.normalized(narrowed, f"{layer}.narrow.norm")
 
+    def through(self, states: str, layers: Iterable[int]) -> str:
+        for layer in layers:
+            states = self.layer(states, layer)
+        return states
+
+    def words(self, states: str) -> str:
+        """The states of the first and last piece of each word, side by side."""
+        return self.node("Reshape", [self.node("Gather", [states, "words"]), "word"])
+
+    def split(self, values: str, results: Sequence[str], *sizes: str, **attributes: Any) -> Sequence[str]:  # noqa: ANN401
+        self.nodes.append(helper.make_node("Split", [values, *sizes], list(results), **attributes))
+        return results
+
 
 def graph_of(weights: Mapping[str, SingleArray], named: Mapping[str, Sequence[str]]) -> Any:  # noqa: ANN401 - untyped
     """The model, in float32: `pieces` (P,), `words` (W, 2), the first and last piece of each word, and `heard` (P, H),
@@ -90,10 +108,8 @@ def graph_of(weights: Mapping[str, SingleArray], named: Mapping[str, Sequence[st
     graph.constant("word", np.array([-1, 2 * width], np.int64))
     graph.constant("scale", np.array((width // ATTENTION_HEADS) ** -0.5, np.float32))
     states = graph.normalized(_placed(graph), "start.norm")
-    for layer in range(sum(name.endswith(".query") for name in weights)):
-        states = graph.layer(states, layer)
-    words = graph.node("Reshape", [graph.node("Gather", [states, "words"]), "word"])
-    graph.node("Sigmoid", [graph.node("Add", [graph.linear(words, "out"), _direct(graph)])], "likely")
+    product = _outputs(graph, states, named)
+    graph.node("Sigmoid", [graph.node("Add", [product, _direct(graph)])], "likely")
     model = helper.make_model(
         helper.make_graph(
             graph.nodes,
@@ -112,6 +128,28 @@ def graph_of(weights: Mapping[str, SingleArray], named: Mapping[str, Sequence[st
     helper.set_model_props(model, {name: "\n".join(values) for name, values in named.items()})
     onnx.checker.check_model(model)
     return model
+
+
+def _outputs(graph: _Graph, states: str, named: Mapping[str, Sequence[str]]) -> str:
+    """The outputs of the words, without what is heard, from the states of their pieces before the first layer."""
+    layers = sum(name.endswith(".query") for name in graph.weights)
+    branching = TRUNK - (layers - TRUNK)
+    states = graph.through(states, range(branching))
+    trunk = graph.words(graph.through(states, range(branching, TRUNK)))
+    if branching == TRUNK:
+        return graph.linear(trunk, "out")
+    own = graph.words(graph.through(states, range(TRUNK, layers)))
+    first, second = (graph.constant(f"at.{place}", np.array([place], np.int64)) for place in (0, 1))
+    stacked = [graph.node("Unsqueeze", [words, first]) for words in (trunk, own)]
+    both = graph.linear(graph.node("Concat", stacked, axis=0), "out")
+    of_trunk, of_own = (
+        graph.node("Squeeze", [graph.node("Gather", [both, place], axis=0), first]) for place in (first, second)
+    )
+    hands, head = 2 * len(named["families"]) + 1, len(named["head"])
+    graph.constant("sizes", np.array([hands, head, len(graph.weights["out"]) - hands - head], np.int64))
+    of_hands, _, others = graph.split(of_trunk, ("hands", "trunk.head", "others"), "sizes", axis=1)
+    _, of_head, _ = graph.split(of_own, ("own.hands", "head", "own.others"), "sizes", axis=1)
+    return graph.node("Concat", [of_hands, of_head, others], axis=1)
 
 
 def _placed(graph: _Graph) -> str:

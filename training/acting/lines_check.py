@@ -5,8 +5,8 @@
 
 `check` looks at every record in `lines/` and `lines/deliveries/`: words in range, families, names of heads, faces and
 gazes, strokes a moment apart, names and texts that come twice, texts that nearly do; and at `lines/second/`,
-`lines/careful/`, `lines/faces/` and `lines/heads/`, whose lines must be among those, or with `--beside` among those of
-that folder. `write` makes one file a kind.
+`lines/careful/`, `lines/faces/` and `lines/heads/`, whose lines must be among those or in `lines/alike/`, or with
+`--beside` among those of that folder. `write` makes one file a kind.
 """
 
 import argparse
@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any
 
 from training.acting import channel_readings
-from training.acting.directed import CAREFUL, OWN, SECOND
+from training.acting.directed import ALIKE, CAREFUL, OWN, SECOND
 from training.acting.notation import AVOIDABLE, CHANNELS, FAMILIES, TONES, NotationError, records_of
 
 DELIVERIES = OWN / "deliveries"
@@ -139,27 +139,30 @@ def _of_further(records: list[dict[str, Any]], further: list[dict[str, Any]], fo
 
 
 def _check(beside: Path | None) -> int:
-    records = [*_records(OWN), *_records(DELIVERIES)]
+    records, alike = [*_records(OWN), *_records(DELIVERIES)], list(_records(ALIKE))
     further = [*_records(beside / "more"), *_records_in(beside / "directed-lines.jsonl")] if beside else []
     again = [*_records(SECOND), *_records(SECOND / "deliveries"), *_of_further(records, further, SECOND / "more")]
     careful = _of_further(records, further, CAREFUL)
-    alone = {channel: _of_further(records, further, folder) for channel, folder in channel_readings.FOLDERS.items()}
+    alone = {
+        channel: _of_further([*records, *alike], further, folder)
+        for channel, folder in channel_readings.FOLDERS.items()
+    }
     complaints = [f"{each['id']}: {problem}" for each in [*records, *again, *careful] for problem in problems_of(each)]
     for channel, readings in alone.items():
         for each in readings:
             problems = channel_readings.problems_of(each, channel, len(each["text"].split()))
             complaints += [f"{each['id']}: {problem}" for problem in problems]
-    for some in (records, again):
+    for some in (records, alike, again):
         names = Counter(each["id"] for each in some)
         complaints += [f"{name} comes {count} times" for name, count in names.items() if count > 1]
-    complaints += strangers_in(chain(again, careful, *alone.values()), [*records, *further])
+    complaints += strangers_in(chain(again, careful, *alone.values()), [*records, *alike, *further])
     known: dict[str, str] = {}
     for folder in (beside, beside / "more", beside / "deliveries") if beside else ():
         known |= _texts(_records(folder))
-    complaints += doubles_in(_texts(records), known)
+    complaints += doubles_in(_texts([*records, *alike]), known)
     further_ones = f"{len(again)} second, {len(careful)} careful ones, {sum(map(len, alone.values()))} of head or face"
-    told = f"{len(records)} readings, {further_ones}, {len(complaints)} complaints"
-    print(*complaints, told, sep="\n")
+    told = f"{len(records)} readings, {len(alike)} lines of which the face alone was read, {further_ones}"
+    print(*complaints, f"{told}, {len(complaints)} complaints", sep="\n")
     return 1 if complaints else 0
 
 

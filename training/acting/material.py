@@ -4,7 +4,7 @@ What counts for which reading, and where the teacher comes from, is told in `ann
 """
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
@@ -12,24 +12,18 @@ from typing import Any
 
 import numpy as np
 
-from understudy.behavior.reading.encoder import Encoder
 from understudy.model import SingleArray
 
 from .channel_readings import ChannelReading, asked_by, channel_readings
-from .directed import DirectedLine, is_held_out, read_lines
-from .encoder import SIZES, Encoded, encoded
+from .directed import CHANNELS, HANDS, OUTPUTS, DirectedLine, is_held_out, read_alike, read_lines
+from .encoder import Encoded, encoded, starting_weights
 from .listening import Voices, voices_of
+from .network import Reader
 from .recordings import read_measured
 from .second_readings import DIRECTORS, careful_readings, second_readings
 
 TAUGHT, OLD_SHARE = 0.3, 0.3
 CAREFUL_WORTH, TAUGHT_CAREFUL, TAUGHT_OTHERS = 1.0, 0.25, 0.6
-
-OTHER_CHANNELS = sum(SIZES[:3])
-"""The first output that is not of the hands."""
-
-CHANNELS = {"head": slice(sum(SIZES[:3]), sum(SIZES[:4])), "face": slice(sum(SIZES[:4]), sum(SIZES[:5]))}
-"""Where head movements and faces are among the outputs."""
 
 ALONE_WORTH = MappingProxyType({"head": 1.0, "face": 1.0})
 """What readings of head and face alone count; those of the whole body count the rest."""
@@ -40,20 +34,22 @@ QUICK = re.compile("[a-z]+[56]-")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Material:
-    """The lines that are trained on and those held out that were read with care, what was measured in recordings, the
-    vocabulary, the shipped reader, unless nobody teaches, the names of all lines that were read with care, in how many
-    epochs the quickly read lines, all but these, and deliveries are, and by how much the teacher is calibrated."""
+    """The lines that are trained on and those held out that were read with care, what was measured in recordings,
+    the vocabulary, the shipped reader, unless nobody teaches, the names of all lines that were read with care, in
+    how many epochs the quickly read lines, all but these, and deliveries are, by how much the teacher is
+    calibrated, and how far every target is drawn to what it reads, if not as usual."""
 
     kept: Sequence[Encoded]
     checked: Sequence[Encoded]
     voices: Voices
     vocabulary: Mapping[str, int]
-    teacher: Encoder | None
+    teacher: Reader | None
     with_care: frozenset[str] = frozenset()
     quick_share: float = 1.0
     other_share: float = 1.0
     delivery_share: float = 1.0
     more: SingleArray | None = None
+    taught_share: float | None = None
 
     def share(self, line: DirectedLine) -> float:
         """The share of epochs in which a line is."""
@@ -66,6 +62,8 @@ class Material:
 
     def taught(self, line: DirectedLine) -> float:
         """How far the targets of a line are drawn towards what the teacher reads."""
+        if self.taught_share is not None:
+            return self.taught_share
         if not self.with_care:
             return TAUGHT
         return TAUGHT_CAREFUL if line.name in self.with_care else TAUGHT_OTHERS
@@ -80,9 +78,10 @@ def material(
     teacher: Path | None,
     careful_worth: float = CAREFUL_WORTH,
     alone_worth: Mapping[str, float] = ALONE_WORTH,
+    only: Sequence[str] = (),
 ) -> Material:
     """All directed lines; those that were read several times have the mean of their readings. Kinds named in `without`
-    are left out of both parts."""
+    are left out of both parts; where `only` some channels are trained, nothing else counts."""
     second, careful = second_readings(), careful_readings()
     alone = {channel: channel_readings(channel) for channel in CHANNELS}
     lines = [
@@ -98,14 +97,36 @@ def material(
         )
         for each in lines
     ]
+    alike = list(_alike(alone, vocabulary))
     return Material(
-        kept=[each for each in read if each.line.name not in held_out],
-        checked=[each for each in read if each.line.name in held_out and each.line.name in careful],
+        kept=_counting([each for each in read if each.line.name not in held_out] + alike, only),
+        checked=_counting([each for each in read if each.line.name in held_out and each.line.name in careful], only),
         voices=voices_of(read_measured(measured) if measured else {}, (each.line for each in lines)),
         vocabulary=vocabulary,
-        teacher=Encoder.load(teacher) if teacher else None,
-        with_care=frozenset(careful),
+        teacher=Reader(starting_weights(teacher)[0]).eval() if teacher else None,
+        with_care=frozenset(careful) | {each.line.name for each in alike},
     )
+
+
+def _alike(
+    alone: Mapping[str, Mapping[str, Sequence[ChannelReading]]], vocabulary: Mapping[str, int]
+) -> Iterator[Encoded]:
+    """The lines of which only some channels were read; nothing counts but these."""
+    for line in read_alike():
+        readings = {channel: read[line.name] for channel, read in alone.items() if line.name in read}
+        each = encoded(line, vocabulary) if readings else None
+        if each:
+            yield from _counting([_read_alone(each, readings, ALONE_WORTH)], list(readings))
+
+
+def _counting(lines: Sequence[Encoded], channels: Sequence[str]) -> list[Encoded]:
+    """The lines with nothing but `channels` counting; all of it where none are named."""
+    outputs = np.ones(OUTPUTS, np.float32)
+    if channels:
+        outputs[:] = 0
+        for channel in channels:
+            outputs[CHANNELS[channel]] = 1
+    return [replace(each, counts=each.counts * outputs) for each in lines]
 
 
 def _read_twice(each: Encoded, second: Mapping[str, dict[str, Any]], vocabulary: Mapping[str, int]) -> Encoded:
@@ -118,8 +139,8 @@ def _read_twice(each: Encoded, second: Mapping[str, dict[str, Any]], vocabulary:
     wanted: SingleArray = np.asarray((each.wanted + other.wanted) / 2, np.float32)
     counts: SingleArray = np.maximum(each.counts, other.counts)
     if not each.line.careful:
-        wanted[:, OTHER_CHANNELS:] = other.wanted[:, OTHER_CHANNELS:]
-        counts[:, OTHER_CHANNELS:] = other.counts[:, OTHER_CHANNELS:]
+        wanted[:, HANDS:] = other.wanted[:, HANDS:]
+        counts[:, HANDS:] = other.counts[:, HANDS:]
     return replace(each, line=replace(each.line, careful=True), wanted=wanted, counts=counts)
 
 

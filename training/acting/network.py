@@ -2,11 +2,12 @@
 
 The network is BERT's (Devlin et al. 2019) with an input of how the line is said
 (`app/behavior/reading/encoder.py`): its features are added to the embeddings of a word's pieces ("heard"), and to
-the word's outputs ("direct").
+the word's outputs ("direct"). Head movements may be read from last layers of their own, which stand for as many of the
+last of the `TRUNK` and are numbered after it.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -19,7 +20,8 @@ from torch.nn.functional import gelu, layer_norm, scaled_dot_product_attention
 from understudy.behavior.reading.encoder import FEATURES
 from understudy.model import SingleArray
 
-from .graph import ATTENTION_HEADS, EPSILON
+from .directed import CHANNELS
+from .graph import ATTENTION_HEADS, EPSILON, TRUNK
 
 ZERO_POINT = 128
 """The eight-bit number that stands for 0 in the shipped matrices."""
@@ -46,13 +48,25 @@ class Reader(nn.Module):  # type: ignore[misc]
         table = self._weight("pieces.table")[pieces] + self._weight("positions")[: pieces.shape[1]]
         states = self._normalized(table + heard @ self._weight("heard").T, "start.norm")
         seen = mask[:, None, None, :]
-        for layer in range(self.layers):
+        branching = TRUNK - (self.layers - TRUNK)
+        for layer in range(branching):
+            states = self._layer(self.dropout(states), layer, seen)
+        told = heard.gather(1, ends[..., 0, None].expand(-1, -1, heard.shape[-1]))
+        direct = told @ self._weight("direct").T
+        logits = self._read(states, range(branching, TRUNK), seen, ends) + direct
+        if branching < TRUNK:
+            own = self._read(states, range(TRUNK, self.layers), seen, ends) + direct
+            head = CHANNELS["head"]
+            logits = torch.cat([logits[..., : head.start], own[..., head], logits[..., head.stop :]], dim=-1)
+        return logits.float()
+
+    def _read(self, states: Tensor, layers: Sequence[int], seen: Tensor, ends: Tensor) -> Tensor:
+        """The outputs of the words after some further layers, without what is heard."""
+        for layer in layers:
             states = self._layer(self.dropout(states), layer, seen)
         width = states.shape[-1]
         outer = [states.gather(1, ends[..., end, None].expand(-1, -1, width)) for end in (0, 1)]
-        told = heard.gather(1, ends[..., 0, None].expand(-1, -1, heard.shape[-1]))
-        direct = told @ self._weight("direct").T
-        return (self._linear(self.dropout(torch.cat(outer, dim=-1)), "out") + direct).float()
+        return self._linear(self.dropout(torch.cat(outer, dim=-1)), "out")
 
     def exported(self) -> dict[str, SingleArray]:
         """The weights by their names."""
@@ -119,3 +133,33 @@ def with_delivery(weights: Mapping[str, SingleArray], outputs: int, kept: Mappin
         "direct": np.zeros((outputs, FEATURES), np.float32),
     }
     return {**none, **weights, "out": out, "out.bias": bias}
+
+
+def head_network(weights: Mapping[str, SingleArray]) -> dict[str, SingleArray]:
+    """The network that head movements are read from, as a trunk: its last layers are theirs."""
+    layers = sum(name.endswith(".query") for name in weights)
+    kept = {name: values for name, values in weights.items() if layer_of(name) < TRUNK}
+    return kept | {_moved(name, TRUNK - layers): weights[name] for name in weights if layer_of(name) >= TRUNK}
+
+
+def with_head_network(
+    weights: Mapping[str, SingleArray], network: Mapping[str, SingleArray], own: int
+) -> dict[str, SingleArray]:
+    """The weights of a trunk, with the last `own` layers and the outputs of the head of another network, whose other
+    layers are those of this one."""
+    branched = {name: np.array(values) for name, values in weights.items() if layer_of(name) < TRUNK}
+    for name in ("out", "out.bias", "direct"):
+        branched[name][CHANNELS["head"]] = network[name][CHANNELS["head"]]
+    lasts = {_moved(name, own): values for name, values in network.items() if layer_of(name) >= TRUNK - own}
+    return branched | lasts
+
+
+def layer_of(name: str) -> int:
+    """The number of the layer that a weight is of; -1 for those that are of none."""
+    number = name.split(".", maxsplit=1)[0]
+    return int(number) if number.isdecimal() else -1
+
+
+def _moved(name: str, layers: int) -> str:
+    number, own = name.split(".", 1)
+    return f"{int(number) + layers}.{own}"

@@ -3,14 +3,13 @@
     python -m training.acting.thresholds CASES.pkl [--weights models/acting/weights.json]
 
 CASES are those of `training/acting/held_out.py`: lines that the reader was not trained on, by their words alone and as
-they were heard. Head movements count by what three directors wanted who read these lines with care (`lines/careful/`),
-faces by three readers of the face alone (`lines/faces/`), who name as few as the directors of ../shared/directing. As
-in score.py, what two of them name is asked for, and what any names is right. Movements are to be made rather than
-missed. Those that say something of their own, a shake, a smile or a frown, say the contrary of what is meant where they
-are wrong: they are made where an F that weighs what is missed is best, if they are right often enough and, of most
-faces, no more are made than any reader has. Prints, for each kind and way of giving a line, how many stretches of lines
-have it and how many of them get it, and how many of those that get it have it; and writes the thresholds among the
-weights.
+they were heard. What is wanted three readers of the head alone and three of the face alone say (`lines/heads/`,
+`lines/faces/`), who name as few as the directors of ../shared/directing. As in score.py, what two of them name is asked
+for, and what any names is right. Movements are to be made rather than missed. Those that say something of their own, a
+shake, a smile or a frown, say the contrary of what is meant where they are wrong: they are made where an F that weighs
+what is missed is best, if they are right often enough and, of most faces, no more are made than any reader has. Prints,
+for each kind and way of giving a line, how many stretches of lines have it and how many of them get it, and how many of
+those that get it have it; and writes the thresholds among the weights.
 """
 
 import argparse
@@ -38,9 +37,8 @@ Readings: TypeAlias = Sequence[DirectedLine]
 READ_AS = {"squint": "frown"}
 """What an audience reads in a face, where that is not what it is called."""
 
-LEAST_LIKELY = {"head": 0.15, "face": 0.1}
-"""No movement is made that is less likely wanted: it would be one among many that mean nothing. Readers of the face
-alone name half as many."""
+LEAST_LIKELY = 0.1
+"""No movement is made that is less likely wanted: it would be one among many that mean nothing."""
 
 NO_MORE_THAN_NAMED = frozenset(("frown", "squint", "sad", "disgust"))
 """Faces of which no more are made than any reader names."""
@@ -98,7 +96,7 @@ def stretches(read: Sequence[Readings], readings: Mapping[str, SingleArray], cha
 def thresholds(read: Sequence[Readings], readings: Mapping[str, SingleArray], channel: str) -> dict[str, float]:
     """The thresholds of all kinds of a channel."""
     found = stretches(read, readings, channel)
-    return {kind: _threshold(found, place, LEAST_LIKELY[channel]) for place, kind in enumerate(found.kinds)}
+    return {kind: _threshold(found, place, LEAST_LIKELY) for place, kind in enumerate(found.kinds)}
 
 
 def read_readings(path: Path) -> dict[str, SingleArray]:
@@ -166,16 +164,14 @@ def main() -> None:
     parser.add_argument("cases", type=Path)
     parser.add_argument("--weights", type=Path, default=Path("models/acting/weights.json"))
     arguments = parser.parse_args()
-    careful, faces = readings_by_three(), channel_readings("face")
-    cases = [case for case in pickle.loads(arguments.cases.read_bytes()) if case.line.name in careful]
-    by_channel = {
-        "head": careful,
-        "face": {name: [as_moments(each, "face") for each in faces[name]] for name in careful},
-    }
+    alone = {channel: channel_readings(channel) for channel in ("head", "face")}
+    by_three = {name for name in readings_by_three() if all(name in readings for readings in alone.values())}
+    cases = [case for case in pickle.loads(arguments.cases.read_bytes()) if case.line.name in by_three]
     readings = readings_of(cases, Encoder.load(arguments.weights.parent / "encoder.onnx"))
     written = json.loads(arguments.weights.read_text(encoding="utf-8"))
-    for channel, directors in by_channel.items():
-        read = read_by(directors, cases)
+    for channel, directors in alone.items():
+        as_directed = {name: [as_moments(each, channel) for each in directors[name]] for name in by_three}
+        read = read_by(as_directed, cases)
         written[channel] = thresholds(read, readings, channel)
         for way in dict.fromkeys(case.way for case in cases):
             own = [lines for lines, case in zip(read, cases, strict=True) if case.way == way]

@@ -31,8 +31,8 @@ def test_the_list_leads_to_reasons_rules_terms_and_losers(looked_at: Page) -> No
 
 def test_what_was_dropped_says_to_what_it_gave_way(looked_at: Page) -> None:
     looked_at.click("#alternatives")
-    looked_at.locator("#items li.dropped[title*='head TURN_RIGHT']").first.click()
-    assert "too close to SHAKE" in _reasons(looked_at)
+    looked_at.locator("#items li.dropped[title*='head NOD']").first.click()
+    assert "TILT_LEFT takes its place" in _reasons(looked_at)
 
 
 def test_arrows_move_the_selection(looked_at: Page) -> None:
