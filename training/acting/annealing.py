@@ -199,14 +199,14 @@ def _optimizer(reader: Reader, pace: float) -> torch.optim.Optimizer:
     """The weights by rate: outputs quicker than layers, lower layers slower."""
     groups: dict[tuple[float, float], list[nn.Parameter]] = {}
     for name, each in reader.weights.items():
-        layer = name.split("/")[0].split(".")[0]
+        layer = layer_of(name.replace("/", "."))
         if not each.requires_grad:
             continue
         if name in OUTPUT_WEIGHTS:
             key = (OUTPUT_FACTOR * RATE, 0.0)
-        elif layer.isdecimal():
+        elif layer >= 0:
             decayed = each.ndim > 1 and not name.endswith("norm")
-            key = (RATE * LAYER_FACTOR ** max(0, TRUNK - 1 - int(layer)), WEIGHT_DECAY if decayed else 0.0)
+            key = (RATE * LAYER_FACTOR ** max(0, TRUNK - 1 - layer), WEIGHT_DECAY if decayed else 0.0)
         else:
             key = (EMBEDDING_FACTOR * RATE, 0.0)
         groups.setdefault(key, []).append(each)
@@ -307,6 +307,8 @@ def _arguments() -> argparse.Namespace:
     arguments = parser.parse_args()
     if arguments.taught and not arguments.start:
         parser.error("--taught goes with --from: without it the reader is always taught")
+    if arguments.own and not arguments.only:
+        parser.error("--own goes with --only: the layers are those of some channels")
     return arguments
 
 

@@ -166,7 +166,7 @@ def avoided(line: DirectedLine) -> "np.ndarray[tuple[int, int], np.dtype[np.bool
     found = np.zeros((len(line.words), OUTPUTS), bool)
     for each in line.reading.get("avoid") or ():
         kinds = {SAME.get(kind, kind) for kind in each["what"]}
-        for first, names in ((0, FAMILIES), (2 * len(FAMILIES) + 1, HEAD), (2 * len(FAMILIES) + 1 + len(HEAD), FACE)):
+        for first, names in ((0, FAMILIES), (CHANNELS["head"].start, HEAD), (CHANNELS["face"].start, FACE)):
             columns = [first + place for place, name in enumerate(names) if name in kinds]
             found[each["first"] : each["last"] + 1, columns] = True
     return found

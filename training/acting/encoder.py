@@ -35,6 +35,7 @@ from .directed import (
     FACE,
     FAMILIES,
     GAZE,
+    HANDS,
     HEAD,
     MANNER,
     OUTPUTS,
@@ -269,7 +270,7 @@ def starting_weights(path: Path) -> tuple[dict[str, SingleArray], dict[str, int]
     if path.suffix == ".npz":
         with np.load(path) as stored:
             return {name: stored[name] for name in stored.files}, vocabulary
-    heads, faces = 2 * len(FAMILIES) + 1, len(named["head"])
+    heads, faces = HANDS, len(named["head"])
     kept = {place: place for place in range(heads)}
     kept |= {heads + HEAD.index(kind): heads + place for place, kind in enumerate(named["head"])}
     kept |= {heads + len(HEAD) + FACE.index(kind): heads + faces + place for place, kind in enumerate(named["face"])}

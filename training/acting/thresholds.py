@@ -27,8 +27,8 @@ from understudy.behavior.reading.encoder import Delivery, Encoder
 from understudy.model import SingleArray
 
 from .cases import Case
-from .channel_readings import as_moments, channel_readings
-from .directed import FACE, FAMILIES, HEAD, DirectedLine, targets_of
+from .channel_readings import KINDS, as_moments, channel_readings
+from .directed import CHANNELS, DirectedLine, targets_of
 from .second_readings import readings_by_three
 
 Readings: TypeAlias = Sequence[DirectedLine]
@@ -77,11 +77,10 @@ class Stretches:
 
 def stretches(read: Sequence[Readings], readings: Mapping[str, SingleArray], channel: str) -> Stretches:
     """The stretches of lines with several readings, on the channel `head` or `face`."""
-    kinds, first = (HEAD, 0) if channel == "head" else (FACE, len(HEAD))
-    first += 2 * len(FAMILIES) + 1
+    kinds = KINDS[channel]
     levels, asked, named = [], [], []
     for lines in read:
-        likely = readings[lines[0].name][:, first : first + len(kinds)]
+        likely = readings[lines[0].name][:, CHANNELS[channel]]
         wanted = np.stack([getattr(targets_of(line), channel) for line in lines])
         found = stretches_of(lines[0].words)
         levels.append(stretch_levels(kinds, likely, found))
@@ -96,7 +95,7 @@ def stretches(read: Sequence[Readings], readings: Mapping[str, SingleArray], cha
 def thresholds(read: Sequence[Readings], readings: Mapping[str, SingleArray], channel: str) -> dict[str, float]:
     """The thresholds of all kinds of a channel."""
     found = stretches(read, readings, channel)
-    return {kind: _threshold(found, place, LEAST_LIKELY) for place, kind in enumerate(found.kinds)}
+    return {kind: _threshold(found, place) for place, kind in enumerate(found.kinds)}
 
 
 def read_readings(path: Path) -> dict[str, SingleArray]:
@@ -105,13 +104,13 @@ def read_readings(path: Path) -> dict[str, SingleArray]:
         return {name: stored[name].astype(np.float32) for name in stored.files}
 
 
-def _threshold(found: Stretches, place: int, least: float) -> float:
-    """The level of a stretch, `least` or more, from which a movement is made: F_beta on stretches is best there, and it
-    is right often enough; never where it is not."""
+def _threshold(found: Stretches, place: int) -> float:
+    """The level of a stretch, `LEAST_LIKELY` or more, from which a movement is made: F_beta on stretches is best there,
+    and it is right often enough; never where it is not."""
     kind, asked, named = found.kinds[place], found.asked[:, place], found.named[:, place]
     beta = OWN_BETA.get(kind, BETA)
     best = (0.0, NEVER)
-    for threshold in np.arange(least, NEVER, 0.02):
+    for threshold in np.arange(LEAST_LIKELY, NEVER, 0.02):
         made = found.level[:, place] >= threshold
         right, done = (
             float((made * named).sum()) / max(made.sum(), 1),
@@ -164,7 +163,7 @@ def main() -> None:
     parser.add_argument("cases", type=Path)
     parser.add_argument("--weights", type=Path, default=Path("models/acting/weights.json"))
     arguments = parser.parse_args()
-    alone = {channel: channel_readings(channel) for channel in ("head", "face")}
+    alone = {channel: channel_readings(channel) for channel in KINDS}
     by_three = {name for name in readings_by_three() if all(name in readings for readings in alone.values())}
     cases = [case for case in pickle.loads(arguments.cases.read_bytes()) if case.line.name in by_three]
     readings = readings_of(cases, Encoder.load(arguments.weights.parent / "encoder.onnx"))
