@@ -41,18 +41,20 @@ _MOST = 0.99
 
 @dataclass(frozen=True, slots=True)
 class Attitude:
-    """How a tone is shown: the behaviours, the share from which it is `surely` heard, and the kind of face as which the
-    words suggest it."""
+    """How a tone is shown: the behaviours, the share from which it is `surely` heard, the kind of face as which the
+    words suggest it, and the valence of the voice above which it is not shown."""
 
     shows: tuple[str, ...]
     surely: float
     reads: str
+    most_valence: float
 
 
 class _AttitudeLine(Entry):
     shows: Annotated[tuple[str, ...], Field(min_length=1)]
     surely: float = Field(gt=0, le=1)
     reads: str
+    most_valence: float = Field(default=1.0, ge=-1, le=1)
 
 
 class _AttitudesFile(RootModel[dict[Tone, _AttitudeLine]]):
@@ -76,7 +78,9 @@ def load_attitudes(path: Path, behaviors: Collection[str], faces: Collection[str
     ]
     if mistakes:
         raise AuthoringError(tuple(mistakes))
-    return MappingProxyType({tone: Attitude(each.shows, each.surely, each.reads) for tone, each in file.items()})
+    return MappingProxyType(
+        {tone: Attitude(each.shows, each.surely, each.reads, each.most_valence) for tone, each in file.items()}
+    )
 
 
 def attitude_candidates(
@@ -115,7 +119,7 @@ def _surely(
     for phrase in affect.phrases or (PhraseAffect(0, last, affect.line),):
         tone = _tone(phrase.affect)
         attitude = attitudes.get(tone)
-        if attitude is None:
+        if attitude is None or phrase.affect.valence > attitude.most_valence:
             continue
         heard = phrase.affect.share(tone)
         if heard + WORDS_SHARE * _suggested(attitude, phrase, moments) >= attitude.surely:

@@ -9,6 +9,7 @@ from tests.behavior.candidates.test_demands import spoken
 from understudy.behavior.candidates.attitudes import load_attitudes
 from understudy.errors import AuthoringError
 from understudy.model import Affect, Behavior, Channel, LineAffect, PhraseAffect, Tone
+from understudy.model.voice.affect import PLACES
 from understudy.models import Understudy
 from understudy.options import Options
 from understudy.performance import perform_analysis
@@ -18,7 +19,8 @@ NEUTRAL_LINE = "Kids are talking by the door."
 
 def toned(tone: Tone, share: float) -> Affect:
     rest: dict[Tone, float] = {Tone.NEUTRAL: 1 - share, tone: share if tone is not Tone.NEUTRAL else 1.0}
-    return Affect(tones=tuple(rest.get(each, 0.0) for each in Tone))
+    activation, valence, dominance = (share * value for value in PLACES[tone])
+    return Affect(activation, valence, dominance, tuple(rest.get(each, 0.0) for each in Tone))
 
 
 def faces(understudy: Understudy, text: str, affect: LineAffect) -> list[Behavior]:
@@ -53,6 +55,13 @@ def test_where_the_words_contradict_the_voice_has_the_face(understudy: Understud
 def test_an_unsure_tone_holds_nothing(understudy: Understudy) -> None:
     found = faces(understudy, NEUTRAL_LINE, LineAffect(toned(Tone.ANGRY, 0.3)))
     assert not [each for each in found if each.moment and each.moment.startswith("attitude")]
+
+
+def test_a_sad_face_asks_for_an_unpleasant_voice_too(understudy: Understudy) -> None:
+    sad = toned(Tone.SAD, 0.7)
+    held, calm = (faces(understudy, NEUTRAL_LINE, LineAffect(each)) for each in (sad, replace(sad, valence=0.0)))
+    assert {"OBLIQUE_BROWS", "LOWER_MOUTH_CORNERS"} <= {each.lexeme for each in held}
+    assert not {"OBLIQUE_BROWS", "LOWER_MOUTH_CORNERS"} & {each.lexeme for each in calm}
 
 
 def test_each_phrase_has_its_own(understudy: Understudy) -> None:
