@@ -56,10 +56,10 @@ from .encoder import (
     loss_of,
     starting_weights,
 )
-from .graph import TRUNK
+from .graph import TRUNK, layer_of
 from .listening import as_written, heard
 from .material import ALONE_WORTH, CAREFUL_WORTH, Material, material
-from .network import Reader, head_network, layer_of, with_head_network
+from .network import Reader, head_network, with_head_network
 
 RATE, OUTPUT_FACTOR, EMBEDDING_FACTOR, LAYER_FACTOR = 5e-5, 4.0, 0.4, 0.85
 """Of the last layer; of the outputs and of the embeddings beside it; of each layer beside the one above it."""

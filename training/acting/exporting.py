@@ -6,28 +6,53 @@
 Their weights are averaged. With `--head` head movements are read from the last layers, as many as `--own` says, of
 other models, which `annealing.py` has trained on the first layers of the others (`--own` there). The vocabulary is that
 of the shipped model: of MiniLM's pieces those that directed lines and treebanks use, single characters, and then the
-commonest by their place in the vocabulary, 20,000 of 30,522; what is left out is spelt with smaller pieces. It needs
-`pip install torch onnx onnx-ir` beside what the program needs.
+commonest by their place in the vocabulary, 20,000 of 30,522; what is left out is spelt with smaller pieces. How large
+the states' channels are is seen in lines of our own (`quantization.py`). It needs `pip install torch onnx onnx-ir`
+beside what the program needs.
 """
 
 import argparse
-from collections.abc import Sequence
+import random
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
+import onnx
 
 from understudy.model import SingleArray
 
-from .directed import FACE, FAMILIES, GAZE, HEAD, MANNER
-from .encoder import SHIPPED, starting_weights
-from .graph import graph_of, write_quantized
+from .directed import FACE, FAMILIES, GAZE, HEAD, MANNER, OWN, is_held_out, read_file
+from .encoder import SHIPPED, encoded, inputs_of, starting_weights
+from .graph import graph_of
+from .listening import heard
 from .network import with_head_network
+from .quantization import Constant, Sample, constants_of, factors_of, integers_of, write_quantized
+
+SAMPLES = 400
 
 
 def mean_weights(paths: Sequence[Path]) -> dict[str, SingleArray]:
     """The mean of the weights of trained models."""
     models = [starting_weights(path)[0] for path in paths]
     return {name: np.mean([model[name] for model in models], axis=0, dtype=np.float32) for name in models[0]}
+
+
+def samples(vocabulary: Mapping[str, int], count: int = SAMPLES) -> Iterator[Sample]:
+    """Some of our lines and deliveries that are not held out, as the graph is given them and as they may be heard."""
+    chance = random.Random(0)
+    paths = sorted(OWN.glob("*.jsonl")) + sorted(OWN.glob("deliveries/*.jsonl"))
+    lines = [line for path in paths for line in read_file(path, careful=True) if not is_held_out(line)]
+    for line in chance.sample(lines, count):
+        each = encoded(line, vocabulary)
+        if each:
+            pieces, _, ends, said = inputs_of([each], [heard(line, {}, chance)])
+            yield {"pieces": pieces[0].numpy(), "words": ends[0].numpy(), "heard": said[0].numpy()}
+
+
+def _as_written(models: Sequence[Path], weights: Mapping[str, SingleArray]) -> Mapping[str, Constant]:
+    """What a single written model has in integers of these weights."""
+    written = len(models) == 1 and models[0].suffix == ".onnx"
+    return integers_of(constants_of(onnx.load(models[0])), weights) if written else {}
 
 
 def main() -> None:
@@ -40,9 +65,11 @@ def main() -> None:
     weights = mean_weights(arguments.models)
     if arguments.head:
         weights = with_head_network(weights, mean_weights(arguments.head), arguments.own)
-    pieces = list(starting_weights(SHIPPED)[1])
-    named = {"pieces": pieces, "families": FAMILIES, "head": HEAD, "face": FACE, "gaze": GAZE, "manner": MANNER}
-    write_quantized(graph_of(weights, named), arguments.output)
+    vocabulary = starting_weights(SHIPPED)[1]
+    outputs = {"families": FAMILIES, "head": HEAD, "face": FACE, "gaze": GAZE, "manner": MANNER}
+    named = {"pieces": list(vocabulary), **outputs}
+    factors = factors_of(graph_of(weights, named), samples(vocabulary))
+    write_quantized(graph_of(weights, named, factors), arguments.output, _as_written(arguments.models, weights))
     print(f"{arguments.output}: {arguments.output.stat().st_size / 1e6:.1f} MB")
 
 

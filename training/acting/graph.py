@@ -1,22 +1,18 @@
-"""The trained reader as an ONNX graph whose matrix products are of eight-bit integers.
+"""The trained reader as an ONNX graph.
 
-`weights` are float32 matrices (out, in) and vectors by the names of `exporting.py`. In products both weights and states
-are eight-bit integers with a scale for every 128 (`MatMulNBits` of ONNX Runtime). With one scale a product
-(`quantize_dynamic`) a line takes half the time, but the log-odds are off by .12 on average instead of .04.
+`weights` are float32 matrices (out, in) and vectors by their names. Products for which there are `factors`
+(`quantization.py`) are of eight-bit integers, with a step for each column of the matrix and one for all states.
 """
 
-import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 import onnx
 from numpy.typing import NDArray
 from onnx import TensorProto, helper, numpy_helper
-from onnxruntime.quantization import QuantType, quantize_dynamic
-from onnxruntime.quantization.matmul_nbits_quantizer import DefaultWeightOnlyQuantConfig, MatMulNBitsQuantizer
 
 from understudy.model import SingleArray
 
@@ -32,9 +28,20 @@ movements are read."""
 
 EPSILON = 1e-12
 
-BITS, BLOCK = 8, 128
-INTEGER_PRODUCTS = 4
-"""What ONNX Runtime calls accuracy level 4: states are quantized too, by block."""
+FLOATING = ("heard.matrix", "direct.matrix")
+"""The matrices that stay in float32, because they are small and their input has values of very different size."""
+
+INTEGERS, STEPS, INVERSE = ".integers", ".steps", ".inverse"
+"""What follows the name of a matrix (in, out) of integers, of what one level of each column is worth, and of what the
+states are multiplied by."""
+
+TOP = 127
+"""The highest level of a column; the lowest is its negative."""
+
+CONTRIBUTED = "com.microsoft"
+"""ONNX Runtime's own operators."""
+
+NO_FACTORS: Mapping[str, SingleArray] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +49,7 @@ class _Graph:
     """Nodes and constants so far; every method adds some and returns the name of what they yield."""
 
     weights: Mapping[str, SingleArray]
+    factors: Mapping[str, SingleArray]
     nodes: list[Any] = field(default_factory=list)
     constants: list[Any] = field(default_factory=list)
 
@@ -55,8 +63,24 @@ class _Graph:
         return result
 
     def linear(self, states: str, name: str) -> str:
+        bias = self.constant(f"{name}.bias", self.weights[f"{name}.bias"])
+        if name in self.factors:
+            return self.in_integers(states, name, bias)
         product = self.node("MatMul", [states, self.constant(name, self.weights[name].T)])
-        return self.node("Add", [product, self.constant(f"{name}.bias", self.weights[f"{name}.bias"])])
+        return self.node("Add", [product, bias])
+
+    def in_integers(self, states: str, name: str, bias: str) -> str:
+        factors = self.factors[name]
+        matrix = self.weights[name].T * factors[:, None]
+        steps = np.asarray(np.abs(matrix).max(axis=0) / TOP, np.float32)
+        levels = np.rint(matrix / np.where(steps > 0, steps, 1)).astype(np.int8)
+        divided = self.node("Mul", [states, self.constant(f"{name}{INVERSE}", np.float32(1) / factors)])
+        constants = [
+            self.constant(f"{name}{INTEGERS}", levels),
+            self.constant(f"{name}{STEPS}", steps),
+            self.constant(f"{name}.zero", np.zeros_like(steps, np.int8)),
+        ]
+        return self.node("DynamicQuantizeMatMul", [divided, *constants, bias], domain=CONTRIBUTED)
 
     def normalized(self, states: str, name: str) -> str:
         scale, shift = self.weights[name]
@@ -98,10 +122,15 @@ class _Graph:
         return results
 
 
-def graph_of(weights: Mapping[str, SingleArray], named: Mapping[str, Sequence[str]]) -> Any:  # noqa: ANN401 - untyped
-    """The model, in float32: `pieces` (P,), `words` (W, 2), the first and last piece of each word, and `heard` (P, H),
-    how each piece is said, to `likely` (W, outputs), in [0, 1]. `named` are lists that go with it as metadata."""
-    graph = _Graph(weights)
+def graph_of(
+    weights: Mapping[str, SingleArray],
+    named: Mapping[str, Sequence[str]],
+    factors: Mapping[str, SingleArray] = NO_FACTORS,
+) -> Any:  # noqa: ANN401 - untyped
+    """The model: `pieces` (P,), `words` (W, 2), the first and last piece of each word, and `heard` (P, H), how each
+    piece is said, to `likely` (W, outputs), in [0, 1]. `named` are lists that go with it as metadata; products for
+    whose matrices there are `factors` are in integers, the others in float32."""
+    graph = _Graph(weights, factors)
     width = weights["positions"].shape[1]
     graph.constant("split", np.array([-1, ATTENTION_HEADS, width // ATTENTION_HEADS], np.int64))
     graph.constant("joined", np.array([-1, width], np.int64))
@@ -122,7 +151,7 @@ def graph_of(weights: Mapping[str, SingleArray], named: Mapping[str, Sequence[st
             [helper.make_tensor_value_info("likely", TensorProto.FLOAT, ["W", len(weights["out"])])],
             graph.constants,
         ),
-        opset_imports=[helper.make_opsetid("", OPERATORS)],
+        opset_imports=[helper.make_opsetid("", OPERATORS), helper.make_opsetid(CONTRIBUTED, 1)],
         ir_version=FORMAT,
     )
     helper.set_model_props(model, {name: "\n".join(values) for name, values in named.items()})
@@ -171,21 +200,10 @@ def _direct(graph: _Graph) -> str:
 
 
 def _told(graph: _Graph, heard: str, name: str) -> str:
-    """A product that stays in float32, because its matrix is small and its input has values of very different size."""
-    return graph.node("MatMul", [heard, graph.constant(f"{name}.matrix", graph.weights[name].T)], f"{name}.product")
+    return graph.node("MatMul", [heard, graph.constant(f"{name}.matrix", graph.weights[name].T)])
 
 
-def write_quantized(model: Any, path: Path) -> None:  # noqa: ANN401 - untyped
-    """Writes the model with its matrices, the table of pieces too, as eight-bit integers."""
-    with tempfile.TemporaryDirectory() as folder:
-        whole, tabled = Path(folder) / "whole.onnx", Path(folder) / "tabled.onnx"
-        onnx.save(model, whole)
-        quantize_dynamic(whole, tabled, weight_type=QuantType.QInt8, op_types_to_quantize=["Gather"])
-        configuration = DefaultWeightOnlyQuantConfig(
-            block_size=BLOCK, is_symmetric=True, accuracy_level=INTEGER_PRODUCTS, bits=BITS
-        )
-        quantizer = MatMulNBitsQuantizer(
-            onnx.load(tabled), algo_config=configuration, nodes_to_exclude=["heard.product", "direct.product"]
-        )
-        quantizer.process()
-        quantizer.model.save_model_to_file(str(path))
+def layer_of(name: str) -> int:
+    """The number of the layer that a weight is of; -1 for those that are of none."""
+    number = name.split(".", maxsplit=1)[0]
+    return int(number) if number.isdecimal() else -1

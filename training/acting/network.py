@@ -13,7 +13,6 @@ from pathlib import Path
 import numpy as np
 import onnx
 import torch
-from onnx import numpy_helper
 from torch import Tensor, nn
 from torch.nn.functional import gelu, layer_norm, scaled_dot_product_attention
 
@@ -21,10 +20,8 @@ from understudy.behavior.reading.encoder import FEATURES
 from understudy.model import SingleArray
 
 from .directed import CHANNELS
-from .graph import ATTENTION_HEADS, EPSILON, TRUNK
-
-ZERO_POINT = 128
-"""The eight-bit number that stands for 0 in the shipped matrices."""
+from .graph import ATTENTION_HEADS, EPSILON, TRUNK, layer_of
+from .quantization import constants_of, matrices_of
 
 
 class Reader(nn.Module):  # type: ignore[misc]
@@ -101,22 +98,16 @@ class Reader(nn.Module):  # type: ignore[misc]
 def shipped_weights(path: Path) -> tuple[dict[str, SingleArray], dict[str, list[str]]]:
     """The weights of a shipped model in float32, and the lists of its metadata."""
     model = onnx.load(path)
-    stored = {each.name: numpy_helper.to_array(each) for each in model.graph.initializer}
-    weights: dict[str, SingleArray] = {}
+    stored = constants_of(model)
+    weights: dict[str, SingleArray] = dict(matrices_of(stored))
     for name, values in stored.items():
-        if name.endswith("_Q8"):
-            scales = stored[name.removesuffix("_Q8") + "_scales"].reshape(len(values), -1, 1)
-            matrix = (values.astype(np.float32) - ZERO_POINT) * scales
-            weights[name.removesuffix("_Q8")] = matrix.reshape(len(values), -1)
-        elif name.endswith(".scale"):
+        if name.endswith(".scale"):
             own = name.removesuffix(".scale")
             weights[own] = np.stack([values, stored[f"{own}.shift"]])
         elif name.endswith(".matrix"):
             weights[name.removesuffix(".matrix")] = np.array(values.T)
         elif name.endswith(".bias") or name == "positions":
             weights[name] = np.array(values)
-    table = stored["pieces.table_quantized"].astype(np.float32) - stored["pieces.table_zero_point"]
-    weights["pieces.table"] = np.asarray(table * stored["pieces.table_scale"], np.float32)
     return weights, {each.key: each.value.split("\n") for each in model.metadata_props}
 
 
@@ -152,12 +143,6 @@ def with_head_network(
         branched[name][CHANNELS["head"]] = network[name][CHANNELS["head"]]
     lasts = {_moved(name, own): values for name, values in network.items() if layer_of(name) >= TRUNK - own}
     return branched | lasts
-
-
-def layer_of(name: str) -> int:
-    """The number of the layer that a weight is of; -1 for those that are of none."""
-    number = name.split(".", maxsplit=1)[0]
-    return int(number) if number.isdecimal() else -1
 
 
 def _moved(name: str, layers: int) -> str:
