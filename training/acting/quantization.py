@@ -124,7 +124,8 @@ def matrices_of(constants: Mapping[str, Constant]) -> Iterator[tuple[str, Single
 
 def integers_of(constants: Mapping[str, Constant], weights: Mapping[str, SingleArray]) -> dict[str, Constant]:
     """The constants of a written model that stand for what is still in `weights`."""
-    same = {name for name, matrix in matrices_of(constants) if np.array_equal(matrix, weights[name])}
+    matrices = matrices_of(constants)
+    same = {name for name, matrix in matrices if name in weights and np.array_equal(matrix, weights[name])}
     names = [f"{name}{suffix}" for name in same for suffix in (LEVELS, BLOCK_STEPS, INTEGERS, STEPS, INVERSE)]
     names += TABLE if "pieces.table" in same else ()
     return {name: constants[name] for name in names if name in constants}
