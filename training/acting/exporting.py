@@ -15,6 +15,7 @@ import argparse
 import random
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 import onnx
@@ -29,6 +30,9 @@ from .network import with_head_network
 from .quantization import Constant, Sample, constants_of, factors_of, integers_of, write_quantized
 
 SAMPLES = 400
+
+NAMED_OUTPUTS = MappingProxyType({"families": FAMILIES, "head": HEAD, "face": FACE, "gaze": GAZE, "manner": MANNER})
+"""The kinds of outputs by their channels, as a model's metadata has them."""
 
 
 def mean_weights(paths: Sequence[Path]) -> dict[str, SingleArray]:
@@ -66,8 +70,7 @@ def main() -> None:
     if arguments.head:
         weights = with_head_network(weights, mean_weights(arguments.head), arguments.own)
     vocabulary = starting_weights(SHIPPED)[1]
-    outputs = {"families": FAMILIES, "head": HEAD, "face": FACE, "gaze": GAZE, "manner": MANNER}
-    named = {"pieces": list(vocabulary), **outputs}
+    named = {"pieces": list(vocabulary), **NAMED_OUTPUTS}
     factors = factors_of(graph_of(weights, named), samples(vocabulary))
     write_quantized(graph_of(weights, named, factors), arguments.output, _as_written(arguments.models, weights))
     print(f"{arguments.output}: {arguments.output.stat().st_size / 1e6:.1f} MB")

@@ -18,14 +18,10 @@ from numpy.typing import NDArray
 
 from understudy.model import FloatArray, SingleArray
 
-from .directed import FAMILIES, HEAD
 from .encoder import starting_weights
-from .exporting import samples
+from .exporting import NAMED_OUTPUTS, samples
 from .graph import TRUNK, graph_of, layer_of
 from .quantization import Sample, states_of
-
-NAMED = {"families": FAMILIES, "head": HEAD}
-"""What a graph has to know of its outputs."""
 
 WIDTH, LINES = 512, 2000
 STEP = 8
@@ -73,7 +69,7 @@ def narrowed(
 ) -> dict[str, SingleArray]:
     """The weights with fewer hidden units in a layer."""
     wide, narrow = f"{layer}.wide", f"{layer}.narrow"
-    states = [each for (each,) in states_of(graph_of(weights, NAMED), [narrow], lines)]
+    states = [each for (each,) in states_of(graph_of(weights, NAMED_OUTPUTS), [narrow], lines)]
     units = Units.of(np.concatenate(states), weights[narrow])
     kept = units.kept(width)
     matrix = units.matrix(kept)

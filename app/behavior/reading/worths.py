@@ -188,11 +188,13 @@ def summed(
 
 def after_what_was_shown(worths: LineWorths, taken: Mapping[int, SingleArray], times_s: Sequence[float]) -> LineWorths:
     """The worths on the words `taken` for strokes, in order, less for what lies nearer to other strokes, by the share
-    (L,) that is a stroke's own, and for what the strokes before show: the best on their words."""
+    (L,) that is a stroke's own, and for what the strokes before show: the best on their words. What is wholly its own
+    loses nothing, not by rounding either."""
     total, shown = worths.log_odds.copy(), dict[int, float]()
     before, beside = dict[Place, float](), dict[Place, float]()
     for word, share in taken.items():
-        own = np.minimum(total[word], log_odds_of(worth_of(total[word]) * share))
+        less = np.minimum(total[word], log_odds_of(worth_of(total[word]) * share))
+        own = np.where(share < 1, less, total[word])
         beside |= {(word, column): float(lost) for column, lost in enumerate(own - total[word]) if lost}
         total[word] = own
         for column, shown_s in shown.items():

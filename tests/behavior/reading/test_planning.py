@@ -220,7 +220,7 @@ def test_what_was_shown_just_before_is_worth_less_and_says_so(understudy: Unders
     lost = (after.of(6, lexeme) or 0.0) - (before.of(6, lexeme) or 0.0)
     assert lost == pytest.approx(JUST_SHOWN * (1 - 2.0 / JUST_SHOWN_S), abs=1e-3)
     assert {part.name: part.weight for part in after.parts(6, lexeme)}[JUST_BEFORE] == pytest.approx(lost, abs=0.01)
-    assert after.of(2, lexeme) == pytest.approx(before.of(2, lexeme), abs=1e-5)
+    assert after.of(2, lexeme) == before.of(2, lexeme)
 
 
 def test_what_would_only_be_shown_again_is_left_out(understudy: Understudy, monkeypatch: pytest.MonkeyPatch) -> None:
